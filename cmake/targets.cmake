@@ -1,0 +1,24 @@
+# One folder is one target. graspdb_library(NAME SOURCES ... PUBLIC ... PRIVATE ...) makes it:
+# its public headers are include/graspdb/*.h and each of them must compile alone.
+add_library(graspdb_warnings INTERFACE)
+target_compile_options(graspdb_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  -Wno-missing-field-initializers -Werror)
+
+# Rows must not depend on how a compiler fuses multiplications and additions.
+add_compile_options(-ffp-contract=off)
+if(GRASPDB_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+function(graspdb_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  set(headers ${ARG_HEADERS})
+  list(TRANSFORM headers PREPEND "include/graspdb/")
+  add_library(graspdb_${name} STATIC ${ARG_SOURCES})
+  add_library(graspdb::${name} ALIAS graspdb_${name})
+  target_sources(graspdb_${name} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
+  target_link_libraries(graspdb_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE}
+                        $<BUILD_INTERFACE:graspdb_warnings>)
+endfunction()

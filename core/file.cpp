@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "graspdb/error.h"
+
+namespace graspdb {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  if (!fs::is_regular_file(path) || !stream || !(text << stream.rdbuf())) {
+    if (fs::is_regular_file(path) && fs::file_size(path) == 0) return {};
+    throw Error({.file = path.string(),
+                 .expected = "a readable file",
+                 .found = fs::exists(path) ? "something else" : "none"});
+  }
+  return text.str();
+}
+
+FileAside::FileAside(fs::path path)
+    : path_(std::move(path)), aside_(fmt::format("{}.{}.tmp", path_.string(), ::getpid())) {
+  if (path_.has_parent_path()) {
+    std::error_code ignored;  // open() reports what matters
+    fs::create_directories(path_.parent_path(), ignored);
+  }
+  descriptor_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) fail("create");
+}
+
+FileAside::~FileAside() {
+  if (descriptor_ < 0) return;
+  ::close(descriptor_);
+  ::unlink(aside_.c_str());
+}
+
+void FileAside::fail(const char* doing) const {
+  throw Error(fmt::format("{}: cannot {}: {}", path_.string(), doing, std::strerror(errno)));
+}
+
+void FileAside::write(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("write");
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void FileAside::write(std::string_view text) {
+  write(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+void FileAside::commit() {
+  if (::fsync(descriptor_) != 0) fail("flush");
+  if (::rename(aside_.c_str(), path_.c_str()) != 0) fail("rename into place");
+  ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+void write_text(const fs::path& path, std::string_view text) {
+  FileAside file(path);
+  file.write(text);
+  file.commit();
+}
+
+fs::path data_directory() {
+  if (const char* named = std::getenv("GRASPDB_DATA")) return named;
+  const fs::path installed = fs::read_symlink("/proc/self/exe").parent_path() / "../share/graspdb";
+  for (const fs::path& candidate : {fs::path(GRASPDB_SOURCE_DIR), installed}) {
+    if (fs::is_directory(candidate / "assets/hands")) return candidate.lexically_normal();
+  }
+  throw Error(
+      "the data of graspdb was not found: set GRASPDB_DATA to the folder that holds assets/ and "
+      "grasps/");
+}
+
+}  // namespace graspdb

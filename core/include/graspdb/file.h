@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace graspdb {
+
+// The whole file as text. Throws Error when it cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
+// A file that appears under its name only when it is complete: bytes go to a sibling temporary
+// file, which commit() flushes to the disk and renames. Destroyed without commit() it leaves
+// nothing. Every failure, a full disk among them, is an Error that names the final path. Not
+// thread-safe.
+class FileAside {
+ public:
+  explicit FileAside(std::filesystem::path path);
+  ~FileAside();
+  FileAside(const FileAside&) = delete;
+  FileAside& operator=(const FileAside&) = delete;
+
+  void write(std::span<const std::byte> bytes);
+  void write(std::string_view text);
+  void commit();
+
+ private:
+  [[noreturn]] void fail(const char* doing) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path aside_;
+  int descriptor_ = -1;
+};
+
+// Writes a small text file in one go, aside and renamed.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+// Where the project's data (hands, grasps, sequences) lies: $GRASPDB_DATA, else the source tree
+// that this program was built from, else <prefix>/share/graspdb. Throws Error when none of them is
+// there.
+std::filesystem::path data_directory();
+
+}  // namespace graspdb

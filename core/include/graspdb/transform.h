@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Rigid transforms. A transform is named target_from_source: it takes the coordinates of a point
+// in the source frame to those in the target frame, and c_from_a = c_from_b * b_from_a.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace graspdb {
+
+struct RigidTransform {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  // metres
+
+  RigidTransform inverse() const;
+};
+
+RigidTransform operator*(const RigidTransform& c_from_b, const RigidTransform& b_from_a);
+Eigen::Vector3d operator*(const RigidTransform& b_from_a, const Eigen::Vector3d& point_in_a);
+
+// The rotation by |v| radians about v, and its inverse. The vector's length is at most pi.
+Eigen::Matrix3d rotation_from_vector(const Eigen::Vector3d& v);
+Eigen::Vector3d vector_from_rotation(const Eigen::Matrix3d& rotation);
+
+// Rotation by `angle` radians about a coordinate axis (0 = x, 1 = y, 2 = z), right-handed.
+Eigen::Matrix3d axis_rotation(int axis, double angle);
+
+// The angle in radians, 0..pi, of the rotation that takes one to the other.
+double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double radians(double degrees) {
+  return degrees * kPi / 180.0;
+}
+constexpr double degrees(double radians) {
+  return radians * 180.0 / kPi;
+}
+
+}  // namespace graspdb

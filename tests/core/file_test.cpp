@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/file.h"
+
+#include <gmock/gmock.h>
+
+#include "graspdb/error.h"
+#include "graspdb/hash.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(File, IsAbsentUntilCommitted) {
+  const testing::TemporaryDirectory directory;
+  const auto path = directory / "a.txt";
+  {
+    FileAside file(path);
+    file.write("half");
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+  write_text(path, "whole");
+  EXPECT_EQ(read_text(path), "whole");
+}
+
+TEST(File, AFullDiskIsAnErrorThatNamesTheFile) {
+  try {
+    FileAside file("/dev/full/x");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/dev/full/x"));
+  }
+}
+
+TEST(File, AMissingFileIsAnErrorThatNamesIt) {
+  try {
+    read_text("/nowhere/at.all");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/nowhere/at.all"));
+  }
+}
+
+TEST(File, AnEmptyFileReadsAsNothing) {
+  const testing::TemporaryDirectory directory;
+  write_text(directory / "empty", "");
+  EXPECT_EQ(read_text(directory / "empty"), "");
+}
+
+TEST(Hash, MatchesThePublishedValueOfTheEmptyInput) {
+  EXPECT_EQ(hash_hex(std::string_view()), "99aa06d3014798d86001c324468d497f");
+}
+
+}  // namespace
+}  // namespace graspdb
