@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace graspdb {
+
+// A HOG of 8 x 8 cells of 8 orientation bins; cells row by row, bins fastest. 255 stands for 1.
+constexpr int kDescriptorSize = 512;
+using Descriptor = std::array<std::uint8_t, kDescriptorSize>;
+
+// The rotation vector of camera_from_hand, then the 28 joint angles, radians.
+constexpr int kLabelSize = 31;
+using Label = std::array<float, kLabelSize>;
+
+}  // namespace graspdb

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Nearest neighbours among a database's descriptors.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "graspdb/database.h"
+#include "graspdb/descriptor.h"
+
+namespace graspdb {
+
+struct Neighbor {
+  std::uint32_t row = 0;
+  std::uint32_t squared_distance = 0;  // between the u8 descriptors
+  bool operator==(const Neighbor&) const = default;
+};
+
+// Searching is thread-safe. The database must outlive the search.
+class Search {
+ public:
+  virtual ~Search() = default;
+  // The k nearest rows (fewer when the database has fewer), nearest first, ties by row.
+  virtual std::vector<Neighbor> nearest(const Descriptor& query, int k) const = 0;
+};
+
+// Compares with every row in integers: the same answer on every processor. The oracle.
+std::unique_ptr<Search> make_exact_search(const Database& database);
+
+// Multi-probe p-stable LSH (Datar et al. 2004; Lv et al. 2007), the paper's; candidates are
+// re-ranked by exact distance. Reproducible from the seed.
+struct LshOptions {
+  int tables = 10;
+  int hashes = 16;   // projections a table
+  double width = 4;  // of a hash cell, as a multiple of the typical distance to the k-th neighbour
+  int probes = 50;   // buckets looked up a table
+  std::uint64_t seed = 0;
+};
+std::unique_ptr<Search> make_lsh_search(const Database& database, const LshOptions& options = {});
+
+// An index file beside the database: DB.lsh. It states the content hash of the database it was
+// built from, and loading refuses another one.
+void save_lsh_index(const std::filesystem::path& path, const Database& database,
+                    const LshOptions& options);
+std::unique_ptr<Search> load_lsh_search(const std::filesystem::path& path,
+                                        const Database& database);
+
+}  // namespace graspdb

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Closes a hand on an object by contact, and checks the result.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graspdb/grasp.h"
+#include "graspdb/hand.h"
+
+namespace graspdb {
+
+// Searches placement and angles near grasp.start. Deterministic. Takes seconds.
+GraspPose close_grasp(const Grasp& grasp, const Hand& hand);
+
+struct StepCheck {
+  int step = 0;
+  double penetration_mm =
+      0;  // deepest, of hand samples in the object and object samples in the hand
+  double self_penetration_mm = 0;     // deepest overlap between different digits
+  double clearance_mm = 0;            // from the hand's skin to the object, 0 when they touch
+  std::vector<std::string> contacts;  // bones with skin within 2 mm of the object
+};
+
+struct GraspCheck {
+  bool pass = false;
+  std::vector<std::string> failures;  // one text a broken gate, with figures
+  std::vector<StepCheck> steps;
+};
+
+GraspCheck check_grasp(const Grasp& grasp, const Hand& hand, const JointAngles& rest,
+                       const GraspPose& closed);
+
+// The committed closed poses of one hand: grasps/closed/<hand>.toml, by grasp id.
+std::map<int, GraspPose> load_closed_poses(const std::filesystem::path& file);
+void save_closed_poses(const std::filesystem::path& file, const std::string& hand_name,
+                       const std::map<int, GraspPose>& poses);
+
+}  // namespace graspdb

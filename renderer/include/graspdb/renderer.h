@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Ray-casts a posed hand and what it holds with Embree.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "graspdb/camera.h"
+#include "graspdb/image.h"
+#include "graspdb/mesh.h"
+
+namespace graspdb {
+
+enum SurfaceLabel : std::uint8_t { kBackground = 0, kHandSurface = 1, kObjectSurface = 2 };
+
+// Posed meshes in the hand frame, ready for rays. Immutable after construction, and so safe to
+// render from many threads. `hand_parts` is a part number for each vertex (a triangle takes its
+// first one's); it may be empty. `object` may be null.
+class Scene {
+ public:
+  Scene(const Mesh& hand, std::span<const std::uint8_t> hand_parts, const Mesh* object);
+  ~Scene();
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+
+  struct State;
+  const State& state() const { return *state_; }
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+// How open each vertex of the hand is to the outside, 0..1: the share of cosine-weighted rays that
+// hit nothing within `reach` metres. Deterministic. It darkens the creases between touching
+// fingers.
+std::vector<float> ambient_openness(const Mesh& hand, const Mesh* object, int rays, double reach);
+
+// Grey = 255 * albedo * (ambient * openness + diffuse * max(0, cosine to the light)), clipped.
+struct Light {
+  double ambient = 0.35;
+  double diffuse = 0.6;
+  Eigen::Vector3d towards_light_in_camera{0, 0, -1};  // need not be of unit length
+};
+
+// Which pictures are wanted beside shading and label.
+struct Layers {
+  bool depth = false;
+  bool normals = false;
+  bool parts = false;
+  bool amodal = false;
+};
+
+struct View {
+  GrayImage shading;              // of every surface; 0 where there is none
+  Image<std::uint8_t> label;      // SurfaceLabel of what is nearest
+  Image<float> depth;             // planar z, metres; +infinity where nothing is hit
+  Image<Eigen::Vector3f> normal;  // unit, in the camera frame; 0 where nothing is hit
+  Image<std::uint8_t> part;       // hand part + 1 of visible hand, else 0
+  Mask hand_amodal;               // the hand as if no object were there
+  Mask object_amodal;
+};
+
+// Thread-safe. One ray a pixel, through its centre.
+View render(const Scene& scene, const Camera& camera, const Light& light = {},
+            const Layers& layers = {});
+
+// The visible hand: 255 where the label is kHandSurface.
+Mask visible_hand(const View& view);
+
+// For each point in the hand frame with its joint's radius (metres): whether it is seen, that is
+// inside the picture and neither behind the object nor behind hand skin nearer than its depth minus
+// `radius`.
+std::vector<bool> visible_points(const Scene& scene, const Camera& camera,
+                                 std::span<const Eigen::Vector3d> points_in_hand, double radius);
+
+// The camera that looks along `camera_from_hand` rotation at `centre` from `distance` metres and
+// whose square picture of resolution x resolution pixels just holds all `vertices` plus a margin (a
+// share of the side). The optical axis goes through the centre: the crop is off-axis, K is that of
+// the crop.
+Camera crop_camera(const Eigen::Matrix3d& camera_from_hand, const Eigen::Vector3d& centre,
+                   double distance, std::span<const Eigen::Vector3f> vertices, int resolution,
+                   double margin = 0.04);
+
+}  // namespace graspdb
