@@ -18,10 +18,12 @@ enum SurfaceLabel : std::uint8_t { kBackground = 0, kHandSurface = 1, kObjectSur
 
 // Posed meshes in the hand frame, ready for rays. Immutable after construction, and so safe to
 // render from many threads. `hand_parts` is a part number for each vertex (a triangle takes its
-// first one's); it may be empty. `object` may be null.
+// first one's), `hand_openness` what ambient_openness() gave for the same meshes; both may be
+// empty, which means part 0 and wide open. `object` may be null. Meshes are copied.
 class Scene {
  public:
-  Scene(const Mesh& hand, std::span<const std::uint8_t> hand_parts, const Mesh* object);
+  Scene(const Mesh& hand, std::span<const std::uint8_t> hand_parts, const Mesh* object,
+        std::span<const float> hand_openness = {});
   ~Scene();
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
@@ -33,12 +35,15 @@ class Scene {
   std::unique_ptr<State> state_;
 };
 
-// How open each vertex of the hand is to the outside, 0..1: the share of cosine-weighted rays that
-// hit nothing within `reach` metres. Deterministic. It darkens the creases between touching
-// fingers.
+// How open each vertex of the hand is to the outside, 0..1: the share of the rays into its
+// hemisphere, each weighed by the cosine to the normal, that hit nothing within `reach` metres. All
+// vertices use the same 2 x `rays` directions, evenly spread over the sphere, so that the result
+// varies smoothly along the skin and is deterministic. Given to a Scene, it darkens the creases
+// between touching fingers. 16 rays and a reach of 0.03 m show them.
 std::vector<float> ambient_openness(const Mesh& hand, const Mesh* object, int rays, double reach);
 
-// Grey = 255 * albedo * (ambient * openness + diffuse * max(0, cosine to the light)), clipped.
+// Grey = 255 * albedo * (ambient * openness + diffuse * max(0, cosine to the light)), clipped, with
+// normal, albedo and openness interpolated between the triangle's vertices.
 struct Light {
   double ambient = 0.35;
   double diffuse = 0.6;
@@ -70,9 +75,9 @@ View render(const Scene& scene, const Camera& camera, const Light& light = {},
 // The visible hand: 255 where the label is kHandSurface.
 Mask visible_hand(const View& view);
 
-// For each point in the hand frame with its joint's radius (metres): whether it is seen, that is
-// inside the picture and neither behind the object nor behind hand skin nearer than its depth minus
-// `radius`.
+// For each joint centre (a point inside the hand): whether it is seen, that is inside the picture,
+// and the first surface on the way to it is its own skin: no object, and no hand skin nearer than
+// the point's depth minus `radius` metres. Thread-safe.
 std::vector<bool> visible_points(const Scene& scene, const Camera& camera,
                                  std::span<const Eigen::Vector3d> points_in_hand, double radius);
 
