@@ -103,8 +103,11 @@ TEST(ImageIo, ErrorsNameTheFile) {
   const TemporaryDirectory folder;
   write_text(folder / "text.png", "no picture");
   write_png(folder / "whole.png", random_image<std::uint8_t>(64, 64, random_byte));
-  write_text(folder / "cut.png", read_text(folder / "whole.png").substr(0, 900));
-  for (const char* name : {"absent.png", "text.png", "cut.png"}) {
+  // Damaged rather than cut, because OpenImageIO 2.4 leaks a string when a PNG ends early.
+  std::string damaged = read_text(folder / "whole.png");
+  damaged.replace(900, 100, 100, '\0');
+  write_text(folder / "damaged.png", damaged);
+  for (const char* name : {"absent.png", "text.png", "damaged.png"}) {
     try {
       read_gray(folder / name);
       ADD_FAILURE() << name << " was read";
