@@ -24,7 +24,8 @@ struct HandEntry {
   Skeleton skeleton;
 };
 
-// What a database says of itself; stored in the file's __metadata__.
+// What a database says of itself; stored in the file's __metadata__. Ids of grasps are 1..65535,
+// each once; steps at most 255; hands and variants at most 256. All texts are UTF-8.
 struct DatabaseInfo {
   std::vector<GraspEntry> grasps;
   std::vector<HandEntry> hands;
@@ -35,6 +36,7 @@ struct DatabaseInfo {
   std::string hog;        // the name of the descriptor's options
   std::string config;     // the whole configuration, JSON
   std::string tool;       // e.g. "graspdb 0.1.0"
+  std::string processor;  // the kind that made the rows, where that can change a bit; else empty
 };
 
 // One row before it is packed.
@@ -48,8 +50,9 @@ struct Row {
   std::uint8_t variant = 0;  // index into info.variants
 };
 
-// Writes all rows aside and renames. Throws Error (a full disk, an unwritable place); nothing is
-// left then.
+// Writes all rows aside and renames; the bytes depend on nothing but info and rows. The rows fit
+// the info: labels finite, grasps known, ordinals in range. Throws Error (a full disk, an
+// unwritable place, an info that contradicts itself); nothing is left then.
 void write_database(const std::filesystem::path& path, const DatabaseInfo& info,
                     std::span<const Row> rows);
 
@@ -57,6 +60,7 @@ void write_database(const std::filesystem::path& path, const DatabaseInfo& info,
 // reading is thread-safe; spans live as long as the database.
 class Database {
  public:
+  // Throws Error when the file is no database or its header, its size or its version is wrong.
   static Database open(const std::filesystem::path& path);
   ~Database();
   Database(Database&&) noexcept;
@@ -65,7 +69,7 @@ class Database {
   std::size_t rows() const;
   const DatabaseInfo& info() const;
   const std::filesystem::path& path() const;
-  const std::string& content_hash() const;  // of all columns, as the header states it
+  const std::string& content_hash() const;  // of all columns, as the header states them
 
   std::span<const float, kLabelSize> label(std::size_t row) const;
   std::span<const std::uint8_t, kDescriptorSize> hog(std::size_t row) const;

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "graspdb/error.h"
+#include "graspdb/hash.h"
+#include "header.h"
+#include "strict_json.h"
+
+namespace graspdb {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uint64_t kMaxHeaderBytes = 100'000'000;  // as in the safetensors library
+
+[[noreturn]] void refuse(const std::string& file, const std::string& key,
+                         const std::string& expected, const std::string& found) {
+  throw Error({.file = file, .key = key, .expected = expected, .found = found});
+}
+
+std::string zeroed_hash(std::string header) {
+  return header.replace(kHashPosition, kHashDigits, kHashDigits, '0');
+}
+
+std::string_view header_text(std::span<const std::byte> bytes, const std::string& file) {
+  std::uint64_t length = 0;
+  if (bytes.size() < kPrefixBytes) {
+    refuse(file, "header", "8 bytes of length", fmt::format("{} bytes", bytes.size()));
+  }
+  std::memcpy(&length, bytes.data(), kPrefixBytes);
+  if (length > kMaxHeaderBytes || length > bytes.size() - kPrefixBytes) {
+    refuse(file, "header", "a graspdb database",
+           fmt::format("a header of {} bytes in a file of {}", length, bytes.size()));
+  }
+  return {reinterpret_cast<const char*>(bytes.data()) + kPrefixBytes, length};
+}
+
+// Nothing of the header is believed before this has passed.
+void check_seal(std::string_view header, const std::string& file) {
+  if (!header.starts_with(kSignature)) {
+    refuse(file, "header", "a graspdb database", "another kind of file");
+  }
+  const std::string_view rest = header.substr(kSignature.size());
+  const std::string_view version = rest.substr(0, rest.find('"'));
+  if (version != kVersion) {
+    refuse(file, "format_version", std::string(kVersion), std::string(version.substr(0, 20)));
+  }
+  if (!rest.substr(kVersion.size()).starts_with(kHashKey) ||
+      header.size() < kHashPosition + kHashDigits) {
+    refuse(file, "header_hash", "the third entry of __metadata__", "none");
+  }
+  const std::string expected(header.substr(kHashPosition, kHashDigits));
+  const std::string found = hash_hex(zeroed_hash(std::string(header)));
+  if (found != expected) refuse(file, "header", "checksum " + expected, found);
+}
+
+// The number of rows, which every column must then agree with.
+std::size_t read_rows(const json& root, const std::string& file) {
+  const json& shape =
+      JsonFields(JsonFields(root, file, "header").at("label"), file, "label").at("shape");
+  if (!shape.is_array() || shape.empty() || !shape[0].is_number_unsigned() ||
+      shape[0].get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max()) {
+    refuse(file, "label.shape", "[rows, 31] with fewer than 2^32 rows", shape.dump());
+  }
+  return shape[0].get<std::size_t>();
+}
+
+void check_columns(const json& root, std::size_t rows, const std::string& file) {
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    const std::string name(kColumns[i].name);
+    const json& found = JsonFields(root, file, "header").at(name);
+    const json expected = json::parse(column_json(i, rows));
+    if (found != expected) refuse(file, name, expected.dump(), found.dump());
+  }
+  if (root.size() != kColumns.size() + 1) {
+    refuse(file, "header", fmt::format("{} columns", kColumns.size()),
+           fmt::format("{}", root.size() - 1));
+  }
+}
+
+void check_size(std::size_t header_size, std::size_t rows, std::size_t size,
+                const std::string& file) {
+  const std::size_t start = kPrefixBytes + header_size;
+  if (start % kAlignment != 0) {
+    refuse(file, "header", "data aligned to 64 bytes", fmt::format("data at {}", start));
+  }
+  const std::size_t expected = start + column_offset(kColumns.size(), rows);
+  if (size != expected) {
+    refuse(file, "data", fmt::format("a file of {} bytes for {} rows", expected, rows),
+           fmt::format("{} bytes", size));
+  }
+}
+
+DatabaseInfo read_info(const JsonFields& metadata, const std::string& file) {
+  DatabaseInfo info;
+  for (const json& entry : metadata.inner_array("grasps")) {
+    const JsonFields grasp(entry, file, "grasps");
+    info.grasps.push_back({grasp.natural("id"), grasp.text("name")});
+  }
+  for (const json& entry : metadata.inner_array("hands")) {
+    const JsonFields hand(entry, file, "hands");
+    info.hands.push_back({hand.text("name"), skeleton_from_json(hand.at("skeleton").dump(), file)});
+  }
+  for (const json& entry : metadata.inner_array("variants")) {
+    if (!entry.is_string()) refuse(file, "variants", "texts", entry.dump());
+    info.variants.push_back(entry.get<std::string>());
+  }
+  info.steps = metadata.inner_natural("steps");
+  info.views = metadata.inner_natural("views");
+  info.view_rule = metadata.text("view_rule");
+  info.hog = metadata.text("hog");
+  info.config = metadata.text("config");
+  info.tool = metadata.text("tool");
+  info.processor = metadata.text("processor");
+  return info;
+}
+
+void check_hash(const JsonFields& metadata, const std::string& key, const std::string& expected,
+                const std::string& file) {
+  const std::string found = metadata.text(key);
+  if (found != expected) refuse(file, key, expected, found);
+}
+
+void check_range(const std::string& file, const std::string& key, long long low, long long high,
+                 long long found) {
+  if (found >= low && found <= high) return;
+  refuse(file, key, fmt::format("{} to {}", low, high), std::to_string(found));
+}
+
+}  // namespace
+
+void check_info(const DatabaseInfo& info, const std::string& file) {
+  std::set<int> ids;
+  for (const GraspEntry& grasp : info.grasps) {
+    check_range(file, "grasps.id", 1, 65535, grasp.id);
+    if (!ids.insert(grasp.id).second) {
+      refuse(file, "grasps.id", "each once", fmt::format("{} twice", grasp.id));
+    }
+  }
+  check_range(file, "hands", 0, 256, std::ssize(info.hands));
+  check_range(file, "variants", 0, 256, std::ssize(info.variants));
+  check_range(file, "steps", 1, 255, info.steps);
+  check_range(file, "views", 1, std::numeric_limits<int>::max(), info.views);
+}
+
+Header read_header(std::span<const std::byte> bytes, const std::string& file) {
+  const std::string_view text = header_text(bytes, file);
+  check_seal(text, file);
+  const json root = parse_strict_json(text, file, "header");
+  Header header;
+  header.rows = read_rows(root, file);
+  check_columns(root, header.rows, file);
+  check_size(text.size(), header.rows, bytes.size(), file);
+  const JsonFields metadata(JsonFields(root, file, "header").at("__metadata__"), file,
+                            "__metadata__");
+  header.info = read_info(metadata, file);
+  check_info(header.info, file);
+  const json hashes = metadata.inner("column_hashes");
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    header.column_hashes[i] =
+        JsonFields(hashes, file, "column_hashes").text(std::string(kColumns[i].name));
+  }
+  check_hash(metadata, "content_hash", content_hash(header.column_hashes), file);
+  check_hash(metadata, "config_hash", hash_hex(header.info.config), file);
+  return header;
+}
+
+std::span<const std::byte> data_bytes(std::span<const std::byte> bytes) {
+  std::uint64_t length = 0;
+  std::memcpy(&length, bytes.data(), kPrefixBytes);
+  return bytes.subspan(kPrefixBytes + length);
+}
+
+}  // namespace graspdb

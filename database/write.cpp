@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "graspdb/error.h"
+#include "graspdb/file.h"
+#include "graspdb/hash.h"
+#include "header.h"
+
+namespace graspdb {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "columns are written as they lie");
+
+const void* field(const Row& row, std::size_t column) {
+  switch (column) {
+    case kLabel:
+      return row.label.data();
+    case kView:
+      return &row.view;
+    case kGrasp:
+      return &row.grasp;
+    case kHog:
+      return row.hog.data();
+    case kStep:
+      return &row.step;
+    case kHand:
+      return &row.hand;
+    default:
+      return &row.variant;
+  }
+}
+
+std::vector<std::byte> packed(std::span<const Row> rows, std::size_t column) {
+  const std::size_t size = kColumns[column].row_bytes();
+  std::vector<std::byte> bytes(size * rows.size());
+  std::byte* to = bytes.data();
+  for (const Row& row : rows) {
+    std::memcpy(to, field(row, column), size);
+    to += size;
+  }
+  return bytes;
+}
+
+void check_row(const Row& row, const DatabaseInfo& info) {
+  GRASPDB_CHECK(std::ranges::all_of(row.label, [](float value) { return std::isfinite(value); }));
+  GRASPDB_CHECK(row.step >= 1 && row.step <= info.steps);
+  GRASPDB_CHECK(row.view < static_cast<std::uint32_t>(info.views));
+  GRASPDB_CHECK(row.hand < info.hands.size() && row.variant < info.variants.size());
+  GRASPDB_CHECK(std::ranges::count(info.grasps, row.grasp, &GraspEntry::id) == 1);
+}
+
+}  // namespace
+
+void write_database(const std::filesystem::path& path, const DatabaseInfo& info,
+                    std::span<const Row> rows) {
+  GRASPDB_CHECK(rows.size() <= std::numeric_limits<std::uint32_t>::max());
+  check_info(info, path.string());
+  for (const Row& row : rows) check_row(row, info);
+  Header header{.info = info, .rows = rows.size(), .column_hashes = {}};
+  // A column is packed twice, for its hash and for the file, so that only one is held at a time.
+  for (std::size_t column = 0; column < kColumns.size(); ++column) {
+    header.column_hashes[column] = hash_hex(packed(rows, column));
+  }
+  FileAside file(path);
+  file.write(header_bytes(header, path.string()));
+  for (std::size_t column = 0; column < kColumns.size(); ++column) file.write(packed(rows, column));
+  file.commit();
+}
+
+}  // namespace graspdb
