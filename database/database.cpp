@@ -54,6 +54,10 @@ const std::string& Database::content_hash() const {
 std::span<const float, kLabelSize> Database::label(std::size_t row) const {
   return std::span<const float, kLabelSize>(mapping_->at<float>(kLabel, row), kLabelSize);
 }
+BoxTangents Database::box(std::size_t row) const {
+  const float* values = mapping_->at<float>(kBox, row);
+  return {values[0], values[1], values[2], values[3]};
+}
 std::span<const std::uint8_t, kDescriptorSize> Database::hog(std::size_t row) const {
   return std::span<const std::uint8_t, kDescriptorSize>(mapping_->at<std::uint8_t>(kHog, row),
                                                         kDescriptorSize);

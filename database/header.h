@@ -33,9 +33,10 @@ struct Column {
 };
 
 // In the order of the file: wide items first, so that each column is aligned for its type.
-enum ColumnIndex : std::size_t { kLabel, kView, kGrasp, kHog, kStep, kHand, kVariant };
-constexpr std::array<Column, 7> kColumns = {{
+enum ColumnIndex : std::size_t { kLabel, kBox, kView, kGrasp, kHog, kStep, kHand, kVariant };
+constexpr std::array<Column, 8> kColumns = {{
     {"label", "F32", 4, kLabelSize, "rad"},
+    {"box", "F32", 4, 4, "tangent"},
     {"view", "U32", 4, 0, "index of the view, from 0"},
     {"grasp", "U16", 2, 0, "id of the grasp"},
     {"hog", "U8", 1, kDescriptorSize, "1/255"},

@@ -112,6 +112,7 @@ DatabaseInfo read_info(const JsonFields& metadata, const std::string& file) {
   }
   info.steps = metadata.inner_natural("steps");
   info.views = metadata.inner_natural("views");
+  info.camera_distance = metadata.inner_number("camera_distance_m");
   info.view_rule = metadata.text("view_rule");
   info.hog = metadata.text("hog");
   info.config = metadata.text("config");
@@ -146,6 +147,9 @@ void check_info(const DatabaseInfo& info, const std::string& file) {
   check_range(file, "variants", 0, 256, std::ssize(info.variants));
   check_range(file, "steps", 1, 255, info.steps);
   check_range(file, "views", 1, std::numeric_limits<int>::max(), info.views);
+  if (!(info.camera_distance > 0 && info.camera_distance < 1e6)) {
+    refuse(file, "camera_distance_m", "metres", fmt::format("{}", info.camera_distance));
+  }
 }
 
 Header read_header(std::span<const std::byte> bytes, const std::string& file) {

@@ -14,6 +14,7 @@ using nlohmann::ordered_json;
 
 ordered_json column_description(const Column& column, ColumnIndex index) {
   ordered_json description{{"unit", column.unit}};
+  if (index == kBox) description["names"] = {"x", "y", "width", "height"};
   if (index != kLabel) return description;
   ordered_json names{"camera_from_hand_x", "camera_from_hand_y", "camera_from_hand_z"};
   for (int angle = 0; angle < kAngleCount; ++angle) names.push_back(angle_info(angle).name);
@@ -47,6 +48,7 @@ ordered_json metadata_json(const Header& header) {
           {"variants", ordered_json(info.variants).dump()},
           {"steps", std::to_string(info.steps)},
           {"views", std::to_string(info.views)},
+          {"camera_distance_m", ordered_json(info.camera_distance).dump()},
           {"view_rule", info.view_rule},
           {"hog", info.hog},
           {"config", info.config},

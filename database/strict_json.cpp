@@ -85,6 +85,12 @@ int JsonFields::inner_natural(const std::string& name) const {
   return natural(name, inner(name));
 }
 
+double JsonFields::inner_number(const std::string& name) const {
+  const json value = inner(name);
+  if (!value.is_number()) refuse(name, "a number", value);
+  return value.get<double>();
+}
+
 int JsonFields::natural(const std::string& name, const json& value) const {
   if (!value.is_number_unsigned() || value > std::numeric_limits<int>::max()) {
     refuse(name, "a whole number below 2^31", value);

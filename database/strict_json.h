@@ -24,6 +24,7 @@ class JsonFields {
   // A value that is JSON inside a text: safetensors allows nothing but texts in __metadata__.
   nlohmann::json inner(const std::string& name) const;
   int inner_natural(const std::string& name) const;
+  double inner_number(const std::string& name) const;
   nlohmann::json inner_array(const std::string& name) const;
 
  private:

@@ -37,6 +37,10 @@ class RowVerifier {
     for (const float value : database_.label(row)) {
       if (!std::isfinite(value)) refuse(kLabel, row, "finite numbers", fmt::format("{}", value));
     }
+    const BoxTangents box = database_.box(row);
+    for (const float value : {box.x, box.y, box.width, box.height}) {
+      if (!std::isfinite(value)) refuse(kBox, row, "finite numbers", fmt::format("{}", value));
+    }
     expect(kView, row, 0, static_cast<std::size_t>(info.views), database_.view(row));
     expect(kStep, row, 1, static_cast<std::size_t>(info.steps) + 1, database_.step(row));
     expect(kHand, row, 0, info.hands.size(), database_.hand(row));

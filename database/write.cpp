@@ -13,12 +13,15 @@
 namespace graspdb {
 namespace {
 
+static_assert(sizeof(BoxTangents) == 4 * sizeof(float), "a box is stored as four numbers");
 static_assert(std::endian::native == std::endian::little, "columns are written as they lie");
 
 const void* field(const Row& row, std::size_t column) {
   switch (column) {
     case kLabel:
       return row.label.data();
+    case kBox:
+      return &row.box;
     case kView:
       return &row.view;
     case kGrasp:
@@ -47,6 +50,8 @@ std::vector<std::byte> packed(std::span<const Row> rows, std::size_t column) {
 
 void check_row(const Row& row, const DatabaseInfo& info) {
   GRASPDB_CHECK(std::ranges::all_of(row.label, [](float value) { return std::isfinite(value); }));
+  const BoxTangents& box = row.box;
+  GRASPDB_CHECK(std::isfinite(box.x + box.y) && std::isfinite(box.width + box.height));
   GRASPDB_CHECK(row.step >= 1 && row.step <= info.steps);
   GRASPDB_CHECK(row.view < static_cast<std::uint32_t>(info.views));
   GRASPDB_CHECK(row.hand < info.hands.size() && row.variant < info.variants.size());

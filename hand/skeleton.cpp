@@ -99,6 +99,11 @@ Keypoints keypoints_in_palm(const Skeleton& skeleton, const JointAngles& angles)
   return keypoints_in_palm(skeleton, palm_from_bones(skeleton, angles));
 }
 
+Eigen::Vector3d palm_centre(const Skeleton& skeleton, const JointAngles& angles) {
+    const Keypoints points = keypoints_in_palm(skeleton, angles);
+    return (points.col(0) + points.col(5) + points.col(9) + points.col(13) + points.col(17)) / 5;
+}
+
 double hand_length(const Skeleton& skeleton) {
   const Keypoints points = keypoints_in_palm(skeleton, JointAngles::Zero());
   double length = points.col(9).norm();

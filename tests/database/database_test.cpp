@@ -32,6 +32,7 @@ TEST(Database, GivesBackEveryValueOfEveryRow) {
     EXPECT_EQ(database.grasp(i), row.grasp);
     EXPECT_EQ(database.step(i), row.step);
     EXPECT_EQ(database.hand(i), row.hand);
+    EXPECT_EQ(database.box(i), row.box);
     EXPECT_EQ(database.variant(i), row.variant);
     EXPECT_EQ(database.hogs()[i * kDescriptorSize + 7], row.hog[7]);
   }
@@ -53,6 +54,7 @@ TEST(Database, GivesBackTheInfo) {
   EXPECT_EQ(info.hands[0].name, "toy");
   EXPECT_EQ(skeleton_to_json(info.hands[0].skeleton), skeleton_to_json(written.hands[0].skeleton));
   EXPECT_EQ(info.variants, written.variants);
+  EXPECT_EQ(info.camera_distance, written.camera_distance);
   EXPECT_EQ(info.steps, 5);
   EXPECT_EQ(info.views, 8);
   EXPECT_EQ(info.view_rule, "super-fibonacci");

@@ -26,6 +26,7 @@ inline DatabaseInfo toy_info() {
           .variants = {"held", "free"},
           .steps = 5,
           .views = 8,
+          .camera_distance = 0.75,
           .view_rule = "super-fibonacci",
           .hog = "paper",
           .config = R"({"resolution":128})",
@@ -39,6 +40,7 @@ inline Row toy_row(std::size_t i) {
   Row row;
   for (float& value : row.label) value = static_cast<float>(random.below(512)) / 256 - 1;
   for (std::uint8_t& value : row.hog) value = static_cast<std::uint8_t>(random.below(256));
+  row.box = {-0.125F, -0.25F, 0.25F, 0.5F + static_cast<float>(i) / 256};
   row.view = static_cast<std::uint32_t>(i % 8);
   row.step = static_cast<std::uint8_t>(1 + i / 8 % 5);
   row.grasp = i / 40 % 2 == 0 ? 1 : 9;

@@ -14,4 +14,14 @@ using Descriptor = std::array<std::uint8_t, kDescriptorSize>;
 constexpr int kLabelSize = 31;
 using Label = std::array<float, kLabelSize>;
 
+// Where a row's visible hand lies in its own picture, in tangents from the ray to the palm centre:
+// what a camera one metre away would see, in metres.
+struct BoxTangents {
+  float x = 0;  // left edge
+  float y = 0;  // upper edge
+  float width = 0;
+  float height = 0;
+  bool operator==(const BoxTangents&) const = default;
+};
+
 }  // namespace graspdb

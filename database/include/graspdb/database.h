@@ -32,6 +32,7 @@ struct DatabaseInfo {
   std::vector<std::string> variants;  // "held", "free"
   int steps = 0;
   int views = 0;
+  double camera_distance = 0;  // from the camera to the palm centre, metres
   std::string view_rule;  // e.g. "super-fibonacci"
   std::string hog;        // the name of the descriptor's options
   std::string config;     // the whole configuration, JSON
@@ -42,6 +43,7 @@ struct DatabaseInfo {
 // One row before it is packed.
 struct Row {
   Label label{};
+  BoxTangents box;          // of the visible hand
   std::uint32_t view = 0;
   std::uint16_t grasp = 0;  // the grasp's id
   Descriptor hog{};
@@ -72,6 +74,7 @@ class Database {
   const std::string& content_hash() const;  // of all columns, as the header states them
 
   std::span<const float, kLabelSize> label(std::size_t row) const;
+  BoxTangents box(std::size_t row) const;
   std::span<const std::uint8_t, kDescriptorSize> hog(std::size_t row) const;
   std::span<const std::uint8_t> hogs() const;  // rows() x 512
   std::uint32_t view(std::size_t row) const;

@@ -58,6 +58,9 @@ Keypoints keypoints_in_palm(const Skeleton& skeleton,
                             const PerBone<RigidTransform>& palm_from_bone);
 Keypoints keypoints_in_palm(const Skeleton& skeleton, const JointAngles& angles);
 
+// The point that cameras look at: the mean of the wrist and the four MCP joints, hand frame.
+Eigen::Vector3d palm_centre(const Skeleton& skeleton, const JointAngles& angles);
+
 // Wrist joint to middle fingertip along the straight hand, metres.
 double hand_length(const Skeleton& skeleton);
 
