@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "capsule.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graspdb {
+
+double distance_to(const Capsule& capsule, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d axis = capsule.end - capsule.start, from_start = point - capsule.start;
+  const double length = axis.squaredNorm();
+  const double t = length > 0 ? std::clamp(from_start.dot(axis) / length, 0.0, 1.0) : 0.0;
+  const double wide = std::lerp(capsule.start_radius, capsule.end_radius, t);
+  const double thin = wide * std::lerp(capsule.start_depth, capsule.end_depth, t);
+  const Eigen::Vector3d offset = from_start - t * axis;
+  const double height = offset.dot(capsule.thin_axis);
+  const double across = std::sqrt(std::max(0.0, offset.squaredNorm() - height * height));
+  // An ellipse's implicit function divided by its gradient.
+  const double value = std::hypot(across / wide, height / thin);
+  const double slope = std::hypot(across / (wide * wide), height / (thin * thin));
+  return slope > 1e-9 ? value * (value - 1) / slope : -thin;
+}
+
+double smooth_min(double a, double b, double blend) {
+  const double overlap = std::max(blend - std::abs(a - b), 0.0);
+  return std::min(a, b) - (overlap > 0 ? overlap * overlap / (4 * blend) : 0.0);
+}
+
+double distance_to(const Flesh& flesh, const Eigen::Vector3d& point) {
+  double distance = 1e9;
+  for (const Capsule& capsule : flesh.capsules) {
+    distance = smooth_min(distance, distance_to(capsule, point), flesh.blend);
+  }
+  return distance;
+}
+
+Eigen::AlignedBox3d bounds_of(const Flesh& flesh) {
+  Eigen::AlignedBox3d box;
+  for (const Capsule& capsule : flesh.capsules) {
+    for (const auto& [centre, radius] : {std::pair{capsule.start, capsule.start_radius},
+                                         std::pair{capsule.end, capsule.end_radius}}) {
+      box.extend(centre - Eigen::Vector3d::Constant(radius + flesh.blend / 4));
+      box.extend(centre + Eigen::Vector3d::Constant(radius + flesh.blend / 4));
+    }
+  }
+  return box;
+}
+
+}  // namespace graspdb

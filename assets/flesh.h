@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Where the flesh lies on the bones of a hand.
+#pragma once
+
+#include <array>
+
+#include "capsule.h"
+#include "graspdb/hand_maker.h"
+
+namespace graspdb {
+
+// Bone frames with millimetre origins.
+using BoneFramesMm = PerBone<RigidTransform>;
+
+// `frames` are those of the pose in which the flesh is wanted, `tips` in their distal bone.
+struct HandFlesh {
+  std::array<Flesh, 5> digits;  // thumb, index, middle, ring, little: phalanges only
+  Flesh palm;                   // with metacarpals, thenar, webs
+  Flesh forearm;
+  std::array<Capsule, 5> rays;  // metacarpals as they are, to divide the palm among them
+};
+
+HandFlesh flesh_of_shape(const HandShape& shape, double width, const BoneFramesMm& frames,
+                         const std::array<Eigen::Vector3d, 5>& tips_mm);
+
+}  // namespace graspdb

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "surface.h"
+
+#include <algorithm>
+
+namespace graspdb {
+HandSurface::HandSurface(HandFlesh flesh, double width, double forearm_length_mm)
+    : flesh_(std::move(flesh)),
+      width_(width),
+      forearm_length_(forearm_length_mm),
+      forearm_box_(bounds_of(flesh_.forearm)) {
+  for (std::size_t i = 0; i < 5; ++i) digit_boxes_[i] = bounds_of(flesh_.digits[i]);
+  bounds_ = bounds_of(flesh_.palm).merged(forearm_box_);
+  for (const Eigen::AlignedBox3d& box : digit_boxes_) bounds_.extend(box);
+  bounds_.min().y() = -forearm_length_;
+  bounds_.min().array() -= 5;  // room for what blending adds
+  bounds_.max().array() += 5;
+}
+
+double HandSurface::palm_distance(const Eigen::Vector3d& point) const {
+  const double palm = distance_to(flesh_.palm, point), blend = 14 * width_;
+  if (forearm_box_.exteriorDistance(point) > palm + blend) return palm;
+  const double cut = -forearm_length_ - point.y();
+  const double forearm = -smooth_min(-distance_to(flesh_.forearm, point), -cut, 6);
+  return smooth_min(palm, forearm, blend);
+}
+
+double HandSurface::distance(const Eigen::Vector3d& point) const {
+  // Each digit grows out of the palm, but digits never melt into each other.
+  const double palm = palm_distance(point), blend = 5 * width_;
+  double distance = palm;
+  for (std::size_t i = 0; i < 5; ++i) {
+    if (digit_boxes_[i].exteriorDistance(point) > distance + blend) continue;  // changes nothing
+    distance = std::min(distance, smooth_min(palm, distance_to(flesh_.digits[i], point), blend));
+  }
+  return distance;
+}
+
+Eigen::Vector3d HandSurface::gradient(const Eigen::Vector3d& point) const {
+  constexpr double kStep = .05;
+  Eigen::Vector3d gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
+    gradient[axis] = (distance(point + step) - distance(point - step)) / (2 * kStep);
+  }
+  return gradient;
+}
+
+Eigen::Vector3d HandSurface::projected(const Eigen::Vector3d& point) const {
+  Eigen::Vector3d at = point;
+  for (int step = 0; step < 3; ++step) {
+    const Eigen::Vector3d slope = gradient(at);
+    at -= distance(at) * slope / std::max(slope.squaredNorm(), .25);
+  }
+  return at;
+}
+
+}  // namespace graspdb
