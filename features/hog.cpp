@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/hog.h"
+
+#include "graspdb/error.h"
+#include "hog_modes.h"
+
+namespace graspdb {
+
+std::string hog_name(const HogOptions& options) {
+  switch (options.mode) {
+    case HogMode::kPaper:
+      return "paper";
+  }
+  GRASPDB_CHECK(false);
+}
+
+HogOptions hog_from_name(std::string_view name, const std::string& file) {
+  if (name == "paper") return {HogMode::kPaper};
+  throw Error({.file = file, .key = "hog", .expected = "paper", .found = std::string(name)});
+}
+
+Descriptor describe(const GrayImage& gray, const Mask& mask, const HogOptions& options) {
+  GRASPDB_CHECK(gray.width() == mask.width() && gray.height() == mask.height());
+  const std::optional<Box> box = tight_box(mask);
+  if (!box) return {};
+  switch (options.mode) {
+    case HogMode::kPaper:
+      return describe_paper(gray, mask, *box);
+  }
+  GRASPDB_CHECK(false);
+}
+
+}  // namespace graspdb
