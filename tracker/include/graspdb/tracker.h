@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Reads a hand's pose from one frame and the previous state: Romero, Kjellstroem and Kragic, "Hands
+// in Action" (ICRA 2010).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "graspdb/camera.h"
+#include "graspdb/database.h"
+#include "graspdb/image.h"
+#include "graspdb/pose_vector.h"
+#include "graspdb/search.h"
+#include "graspdb/skeleton.h"
+
+namespace graspdb {
+
+// How a frame depends on the one before.
+enum class TemporalModel {
+  kNone,      // not at all
+  kGaussian,  // around the previous answer: a single hypothesis
+  kKde,       // around all previous hypotheses: a kernel density estimate
+};
+
+struct TrackerOptions {
+  TemporalModel temporal = TemporalModel::kKde;
+  int neighbours = 20;      // k, 1..1000
+  double sigma_hog = 0.5;   // of the descriptor distance (a row's 255 counts as 1)
+  double sigma_pose = 0.8;  // of the pose vector around the previous answer
+  double bandwidth = 0.5;   // of the pose vector around each previous hypothesis
+  double max_distance = 4;  // a nearest descriptor further away is no hand
+  bool left_hand = false;   // the frame is mirrored on the way in, the answer on the way out
+};
+
+// What the tracker is shown: one segmented frame.
+struct Observation {
+  const GrayImage& gray;
+  const Mask& hand;  // the visible hand, of the same size
+  Intrinsics camera;
+};
+
+struct Hypothesis {
+  std::uint32_t row = 0;
+  double weight = 0;  // they sum to 1
+};
+
+struct StageTimes {  // milliseconds
+  double describe = 0, search = 0, temporal = 0;
+};
+
+// Without a hand `valid` is false and only box and times mean anything.
+struct Estimate {
+  bool valid = false;
+  double confidence = 0;         // 0..1, falls with the distance of the nearest descriptor
+  Box box;                       // of the mask, pixels; empty without one
+  std::uint32_t row = 0;         // the heaviest hypothesis
+  double distance = 0;           // of the nearest descriptor
+  int grasp = 0;                 // id, of the row
+  double grasp_probability = 0;  // the weight of all hypotheses of that grasp
+  int step = 0;
+  Eigen::Matrix3d camera_from_hand = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d wrist = Eigen::Vector3d::Zero();  // camera frame, metres
+  JointAngles angles = JointAngles::Zero();
+  Keypoints joints = Keypoints::Zero();  // camera frame, metres
+  Eigen::Matrix<double, 2, kKeypointCount> joints_px =
+      Eigen::Matrix<double, 2, kKeypointCount>::Zero();
+  std::vector<Hypothesis> hypotheses;  // heaviest first
+  StageTimes ms;
+};
+
+// Not thread-safe; database and search must outlive it.
+class Tracker {
+ public:
+  Tracker(const Database& database, const Search& search, const TrackerOptions& options);
+
+  // Reads the next frame. A mask without a hand gives an invalid estimate and forgets the past.
+  Estimate step(const Observation& observation);
+  void forget() { previous_.clear(); }
+
+ private:
+  struct Candidate {
+    std::uint32_t row = 0;
+    Eigen::Matrix3d camera_from_hand;
+    PoseVector pose;
+    double log_weight = 0;
+    double weight = 0;
+  };
+
+  Estimate step_right(const Observation& observation);
+  std::vector<Candidate> look_up(const std::vector<Neighbor>& neighbours, const Observation& seen,
+                                 const Box& box) const;
+  double log_prior(const PoseVector& pose) const;
+  void weigh(std::vector<Candidate>& candidates) const;
+  void describe_best(const std::vector<Candidate>& candidates, const Observation& seen,
+                     Estimate& estimate) const;
+
+  const Database& database_;
+  const Search& search_;
+  TrackerOptions options_;
+  std::vector<Candidate> previous_;  // heaviest first
+};
+
+}  // namespace graspdb

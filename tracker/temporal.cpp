@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The weights of the paper, as logarithms: what is far away would vanish as a product.
+#include <algorithm>
+#include <cmath>
+
+#include "graspdb/error.h"
+#include "graspdb/tracker.h"
+
+namespace graspdb {
+namespace {
+
+double log_gaussian(double squared_distance, double sigma) {
+  return -squared_distance / (2 * sigma * sigma);
+}
+
+}  // namespace
+
+// log p(x_t | what was known at t - 1), up to a constant.
+double Tracker::log_prior(const PoseVector& pose) const {
+  if (previous_.empty() || options_.temporal == TemporalModel::kNone) return 0;
+  if (options_.temporal == TemporalModel::kGaussian) {
+    return log_gaussian((pose - previous_.front().pose).squaredNorm(), options_.sigma_pose);
+  }
+  std::vector<double> terms;
+  for (const Candidate& before : previous_) {
+    terms.push_back(before.log_weight +
+                    log_gaussian((pose - before.pose).squaredNorm(), options_.bandwidth));
+  }
+  const double largest = *std::max_element(terms.begin(), terms.end());
+  double sum = 0;
+  for (double term : terms) sum += std::exp(term - largest);
+  return largest + std::log(sum);
+}
+
+// Multiplies in the prior, normalises, and puts the heaviest first.
+void Tracker::weigh(std::vector<Candidate>& candidates) const {
+  GRASPDB_CHECK(!candidates.empty());
+  for (Candidate& candidate : candidates) candidate.log_weight += log_prior(candidate.pose);
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.log_weight > b.log_weight; });
+  const double largest = candidates.front().log_weight;
+  double sum = 0;
+  for (const Candidate& candidate : candidates) sum += std::exp(candidate.log_weight - largest);
+  for (Candidate& candidate : candidates) {
+    candidate.log_weight -= largest + std::log(sum);
+    candidate.weight = std::exp(candidate.log_weight);
+  }
+}
+
+}  // namespace graspdb

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/tracker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "graspdb/error.h"
+#include "graspdb/hog.h"
+#include "mirror.h"
+#include "placement.h"
+
+namespace graspdb {
+namespace {
+
+class Stopwatch {
+ public:
+  double lap_ms() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> taken = now - last_;
+    last_ = now;
+    return taken.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+double descriptor_distance(const Neighbor& neighbour) {
+  return std::sqrt(static_cast<double>(neighbour.squared_distance)) / 255;
+}
+
+}  // namespace
+
+Tracker::Tracker(const Database& database, const Search& search, const TrackerOptions& options)
+    : database_(database), search_(search), options_(options) {
+  GRASPDB_CHECK(options.neighbours >= 1 && options.sigma_hog > 0 && options.sigma_pose > 0 &&
+                options.bandwidth > 0 && options.max_distance > 0);
+}
+
+Estimate Tracker::step(const Observation& observation) {
+  if (!options_.left_hand) return step_right(observation);
+  const GrayImage gray = mirrored(observation.gray);
+  const Mask hand = mirrored(observation.hand);
+  return mirrored(step_right({gray, hand, mirrored(observation.camera)}), gray.width());
+}
+
+Estimate Tracker::step_right(const Observation& seen) {
+  Estimate estimate;
+  Stopwatch watch;
+  const auto box = tight_box(seen.hand);
+  if (!box) {
+    forget();
+    return estimate;
+  }
+  estimate.box = *box;
+  const HogOptions hog = hog_from_name(database_.info().hog, database_.path().string());
+  const Descriptor query = describe(seen.gray, seen.hand, hog);
+  estimate.ms.describe = watch.lap_ms();
+  const std::vector<Neighbor> neighbours = search_.nearest(query, options_.neighbours);
+  estimate.ms.search = watch.lap_ms();
+  if (neighbours.empty()) return estimate;
+  estimate.distance = descriptor_distance(neighbours.front());
+  // 1 for a perfect match, one half at the limit.
+  estimate.confidence = std::exp2(-std::pow(estimate.distance / options_.max_distance, 2));
+  if (estimate.distance > options_.max_distance) {
+    forget();
+    return estimate;
+  }
+  std::vector<Candidate> candidates = look_up(neighbours, seen, *box);
+  weigh(candidates);
+  describe_best(candidates, seen, estimate);
+  previous_ = std::move(candidates);
+  estimate.ms.temporal = watch.lap_ms();
+  return estimate;
+}
+
+// The neighbours' poses as this camera would see them, weighted by the observation.
+std::vector<Tracker::Candidate> Tracker::look_up(const std::vector<Neighbor>& neighbours,
+                                                 const Observation& seen, const Box& box) const {
+  std::vector<Candidate> candidates;
+  const double nearest = neighbours.front().squared_distance;
+  for (const Neighbor& neighbour : neighbours) {
+    const auto label = database_.label(neighbour.row);
+    const Placement placed =
+        place(box, seen.camera, database_.box(neighbour.row), database_.info().camera_distance);
+    Candidate candidate{.row = neighbour.row};
+    candidate.camera_from_hand = placed.camera_from_row_camera * label_rotation(label);
+    candidate.pose = pose_vector(candidate.camera_from_hand, label_angles(label));
+    const double further = (neighbour.squared_distance - nearest) / (255.0 * 255.0);
+    candidate.log_weight = -further / (2 * options_.sigma_hog * options_.sigma_hog);
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
+void Tracker::describe_best(const std::vector<Candidate>& candidates, const Observation& seen,
+                            Estimate& estimate) const {
+  const Candidate& best = candidates.front();
+  const Skeleton& skeleton = database_.info().hands[database_.hand(best.row)].skeleton;
+  estimate.valid = true;
+  estimate.row = best.row;
+  estimate.grasp = database_.grasp(best.row);
+  estimate.step = database_.step(best.row);
+  estimate.camera_from_hand = best.camera_from_hand;
+  estimate.angles = label_angles(database_.label(best.row));
+  for (const Candidate& candidate : candidates) {
+    estimate.hypotheses.push_back({candidate.row, candidate.weight});
+    if (database_.grasp(candidate.row) == estimate.grasp)
+      estimate.grasp_probability += candidate.weight;
+  }
+  const Placement placed =
+      place(estimate.box, seen.camera, database_.box(best.row), database_.info().camera_distance);
+  estimate.wrist =
+      placed.palm_centre - best.camera_from_hand * palm_centre(skeleton, estimate.angles);
+  estimate.joints =
+      (best.camera_from_hand * keypoints_in_palm(skeleton, estimate.angles)).colwise() +
+      estimate.wrist;
+  for (int i = 0; i < kKeypointCount; ++i) {
+    estimate.joints_px.col(i) = seen.camera.project(estimate.joints.col(i));
+  }
+}
+
+}  // namespace graspdb
