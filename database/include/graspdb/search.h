@@ -22,28 +22,36 @@ struct Neighbor {
 class Search {
  public:
   virtual ~Search() = default;
-  // The k nearest rows (fewer when the database has fewer), nearest first, ties by row.
+  // The k >= 0 nearest rows (fewer when the database has fewer), nearest first, ties by row.
   virtual std::vector<Neighbor> nearest(const Descriptor& query, int k) const = 0;
 };
+
+// The share of the k nearest rows, over these queries, that `search` finds too: 1 is perfect. Rows
+// as near as the k-th count as found, whichever of them `search` gives.
+double recall(const Search& search, const Search& exact, const std::vector<Descriptor>& queries,
+              int k);
 
 // Compares with every row in integers: the same answer on every processor. The oracle.
 std::unique_ptr<Search> make_exact_search(const Database& database);
 
 // Multi-probe p-stable LSH (Datar et al. 2004; Lv et al. 2007), the paper's; candidates are
-// re-ranked by exact distance. Reproducible from the seed.
+// re-ranked by exact distance, and fewer than k of them make it an exact search. Reproducible from
+// the seed.
 struct LshOptions {
-  int tables = 10;
-  int hashes = 16;   // projections a table
-  double width = 4;  // of a hash cell, as a multiple of the typical distance to the k-th neighbour
-  int probes = 50;   // buckets looked up a table
+  int tables = 10;   // 1 to 1000
+  int hashes = 16;   // projections a table, 1 to 32
+  double width = 4;  // of a hash cell, as a multiple of the median distance between a row and its
+                     // 20th nearest, 0.001 to 1000
+  int probes = 50;   // buckets looked up a table, 1 to 1,000,000
   std::uint64_t seed = 0;
 };
+// Both throw Error that names an option out of range.
 std::unique_ptr<Search> make_lsh_search(const Database& database, const LshOptions& options = {});
-
-// An index file beside the database: DB.lsh. It states the content hash of the database it was
-// built from, and loading refuses another one.
 void save_lsh_index(const std::filesystem::path& path, const Database& database,
                     const LshOptions& options);
+
+// An index file beside the database: DB.lsh. It states the content hash of the database it was
+// built from; loading refuses, by an Error, another database and any altered or shortened file.
 std::unique_ptr<Search> load_lsh_search(const std::filesystem::path& path,
                                         const Database& database);
 
