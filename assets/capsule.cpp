@@ -22,25 +22,25 @@ double distance_to(const Capsule& capsule, const Eigen::Vector3d& point) {
 }
 
 double smooth_min(double a, double b, double blend) {
-  const double overlap = std::max(blend - std::abs(a - b), 0.0);
-  return std::min(a, b) - (overlap > 0 ? overlap * overlap / (4 * blend) : 0.0);
+  const double overlap = blend - std::abs(a - b);
+  return overlap > 0 ? std::min(a, b) - overlap * overlap / (4 * blend) : std::min(a, b);
 }
 
 double distance_to(const Flesh& flesh, const Eigen::Vector3d& point) {
   double distance = 1e9;
-  for (const Capsule& capsule : flesh.capsules) {
-    distance = smooth_min(distance, distance_to(capsule, point), flesh.blend);
+  for (const Capsule& capsule : flesh) {
+    distance = smooth_min(distance, distance_to(capsule, point), capsule.blend);
   }
   return distance;
 }
 
 Eigen::AlignedBox3d bounds_of(const Flesh& flesh) {
   Eigen::AlignedBox3d box;
-  for (const Capsule& capsule : flesh.capsules) {
+  for (const Capsule& capsule : flesh) {
     for (const auto& [centre, radius] : {std::pair{capsule.start, capsule.start_radius},
                                          std::pair{capsule.end, capsule.end_radius}}) {
-      box.extend(centre - Eigen::Vector3d::Constant(radius + flesh.blend / 4));
-      box.extend(centre + Eigen::Vector3d::Constant(radius + flesh.blend / 4));
+      box.extend(centre - Eigen::Vector3d::Constant(radius + capsule.blend / 4));
+      box.extend(centre + Eigen::Vector3d::Constant(radius + capsule.blend / 4));
     }
   }
   return box;

@@ -18,6 +18,7 @@ struct Capsule {
   Eigen::Vector3d thin_axis = Eigen::Vector3d::UnitZ();
   double start_depth = 1;
   double end_depth = 1;
+  double blend = 0;  // how softly it joins what came before it: see smooth_min
 };
 
 // Signed distance, exact for round capsules without taper, else to first order near the surface.
@@ -28,10 +29,7 @@ double distance_to(const Capsule& capsule, const Eigen::Vector3d& point);
 double smooth_min(double a, double b, double blend);
 
 // A body of flesh: capsules joined one after the other.
-struct Flesh {
-  std::vector<Capsule> capsules;
-  double blend = 0;
-};
+using Flesh = std::vector<Capsule>;
 double distance_to(const Flesh& flesh, const Eigen::Vector3d& point);
 Eigen::AlignedBox3d bounds_of(const Flesh& flesh);
 

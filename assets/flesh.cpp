@@ -7,25 +7,25 @@
 namespace graspdb {
 namespace {
 
-// Radii for a breadth of 86 mm: at the MCP joint, mid-proximal, PIP, mid-middle, DIP, tip; the
-// thumb without the middle phalanx.
-constexpr double kFingerRadii[kFingerCount][6] = {{10.4, 9.7, 9.0, 8.5, 7.9, 6.7},
-                                                  {10.4, 9.8, 9.1, 8.6, 8.0, 6.8},
-                                                  {9.9, 9.2, 8.6, 8.1, 7.6, 6.4},
-                                                  {8.9, 8.1, 7.5, 7.1, 6.6, 5.7}};
+// Radii for a breadth of 86 mm: at the MCP joint, mid-proximal, PIP, mid-middle, DIP, tip.
+constexpr double kFingerRadii[kFingerCount][6] = {{10.0, 9.9, 9.5, 9.0, 8.5, 7.3},
+                                                  {10.0, 9.9, 9.6, 9.1, 8.6, 7.4},
+                                                  {9.6, 9.4, 9.0, 8.5, 8.1, 7.0},
+                                                  {8.7, 8.3, 7.9, 7.5, 7.2, 6.2}};
+// Of the thumb: at the MCP joint, mid-proximal, IP, tip.
+constexpr double kThumbRadii[4] = {9.8, 10.2, 10.4, 8.6};
 
-// Adds capsules given in the frame of one bone, in table millimetres.
+// Adds capsules given in the frame of one bone.
 class Builder {
  public:
   Builder(Flesh& flesh, const RigidTransform& frame, double scale)
       : flesh_(flesh), frame_(frame), scale_(scale) {}
 
-  // Positions in real millimetres in the bone's frame, radii in table millimetres.
-  void add(const Eigen::Vector3d& start, const Eigen::Vector3d& end, double start_radius,
-           double end_radius, double start_depth = 1, double end_depth = 1) {
-    flesh_.capsules.push_back({frame_ * start, frame_ * end, start_radius * scale_,
-                               end_radius * scale_, frame_.rotation.col(2), start_depth,
-                               end_depth});
+  // Positions in real millimetres in the bone's frame, radii and blend in table millimetres.
+  void add(double blend, const Eigen::Vector3d& start, const Eigen::Vector3d& end,
+           double start_radius, double end_radius, double start_depth = 1, double end_depth = 1) {
+    flesh_.push_back({frame_ * start, frame_ * end, start_radius * scale_, end_radius * scale_,
+                      frame_.rotation.col(2), start_depth, end_depth, blend * scale_});
   }
 
  private:
@@ -43,60 +43,61 @@ class Maker {
   HandFlesh make() {
     for (int finger = 0; finger < kFingerCount; ++finger) add_finger(finger);
     add_thumb();
-    flesh_.palm.blend = 7 * width_;
     for (int finger = 0; finger < kFingerCount; ++finger) add_metacarpal(finger);
+    for (int finger = 0; finger + 1 < kFingerCount; ++finger) add_web(finger);
     add_thenar();
     add_heel();
-    for (int finger = 0; finger + 1 < kFingerCount; ++finger) add_web(finger);
     add_forearm();
     return flesh_;
   }
 
  private:
+  static constexpr double kShaftBlend = 1.5;  // along a digit the radii already agree
+  static constexpr double kPadBlend = 4;
+  static constexpr double kPalmBlend = 7;
+
   const RigidTransform& frame(int bone) const { return frames_[static_cast<std::size_t>(bone)]; }
   double length(int bone) const {
     return (frame(bone + 1).translation - frame(bone).translation).norm();
   }
+  double digit_thickness() const { return width_ * shape_.finger_thickness; }
 
   // A phalanx from joint to joint: a shaft, and the pad on its palmar side. The gaps between the
   // pads are the flexion creases.
-  void add_phalanx(Flesh& flesh, int bone, double length, const double* radii, double thickness) {
-    Builder builder(flesh, frame(bone), thickness);
-    const double palmar = -1.2 * thickness, r = radii[1] * thickness;
-    builder.add({0, 0, palmar}, {0, .5 * length, palmar}, radii[0], radii[1], .94, .93);
-    builder.add({0, .5 * length, palmar}, {0, length, palmar}, radii[1], radii[2], .93, .94);
-    builder.add({0, .30 * length, palmar - .32 * r}, {0, .66 * length, palmar - .30 * r},
-                .76 * radii[1], .74 * radii[1]);
+  void add_phalanx(Flesh& flesh, int bone, const double* radii) {
+    const double scale = digit_thickness(), l = length(bone);
+    const double palmar = -1.2 * scale, r = radii[1] * scale;
+    Builder builder(flesh, frame(bone), scale);
+    builder.add(kShaftBlend, {0, 0, palmar}, {0, .5 * l, palmar}, radii[0], radii[1], .94, .92);
+    builder.add(kShaftBlend, {0, .5 * l, palmar}, {0, l, palmar}, radii[1], radii[2], .92, .94);
+    builder.add(kPadBlend, {0, .32 * l, palmar - .30 * r}, {0, .66 * l, palmar - .28 * r},
+                .74 * radii[1], .72 * radii[1]);
   }
 
-  void add_tip(Flesh& flesh, int bone, double length, double joint_radius, double tip_radius,
-               double thickness) {
-    Builder builder(flesh, frame(bone), thickness);
-    const double palmar = -1.2 * thickness, r = tip_radius * thickness;
-    builder.add({0, 0, palmar}, {0, length - r, palmar}, joint_radius, tip_radius, .93, .82);
-    builder.add({0, .42 * length, palmar - .28 * r}, {0, length - 1.15 * r, palmar - .12 * r},
-                .86 * joint_radius, .86 * tip_radius, .95, .95);
+  // A last phalanx: flatter to its end, with the pulp under it.
+  void add_tip(Flesh& flesh, int bone, double l, double joint_radius, double tip_radius) {
+    const double scale = digit_thickness(), palmar = -1.2 * scale, r = tip_radius * scale;
+    Builder builder(flesh, frame(bone), scale);
+    builder.add(kShaftBlend, {0, 0, palmar}, {0, .5 * l, palmar}, joint_radius,
+                .5 * (joint_radius + tip_radius) + .2, .93, .88);
+    builder.add(kShaftBlend, {0, .5 * l, palmar}, {0, l - r, palmar},
+                .5 * (joint_radius + tip_radius) + .2, tip_radius, .88, .80);
+    builder.add(kPadBlend, {0, .45 * l, palmar - .26 * r}, {0, l - 1.2 * r, palmar - .12 * r},
+                .80 * joint_radius, .84 * tip_radius, .95, .95);
   }
 
   void add_finger(int finger) {
-    Flesh& flesh = flesh_.digits[static_cast<std::size_t>(finger + 1)];
-    const double thickness = width_ * shape_.finger_thickness;
-    flesh.blend = 3.5 * thickness;
+    const auto digit = static_cast<std::size_t>(finger + 1);
     const double* radii = kFingerRadii[finger];
-    const Bone proximal = finger_bone(finger, kProximal), middle = finger_bone(finger, kMiddle);
-    add_phalanx(flesh, proximal, length(proximal), radii, thickness);
-    add_phalanx(flesh, middle, length(middle), radii + 2, thickness);
-    add_tip(flesh, finger_bone(finger, kDistal), tips_[static_cast<std::size_t>(finger + 1)].y(),
-            radii[4], radii[5], thickness);
+    add_phalanx(flesh_.digits[digit], finger_bone(finger, kProximal), radii);
+    add_phalanx(flesh_.digits[digit], finger_bone(finger, kMiddle), radii + 2);
+    add_tip(flesh_.digits[digit], finger_bone(finger, kDistal), tips_[digit].y(), radii[4],
+            radii[5]);
   }
 
   void add_thumb() {
-    Flesh& flesh = flesh_.digits[0];
-    const double thickness = width_ * shape_.finger_thickness;
-    flesh.blend = 4 * thickness;
-    const double radii[] = {10.2, 9.6, 9.7};
-    add_phalanx(flesh, kThumbProximal, length(kThumbProximal), radii, thickness);
-    add_tip(flesh, kThumbDistal, tips_[0].y(), 9.7, 7.6, thickness);
+    add_phalanx(flesh_.digits[0], kThumbProximal, kThumbRadii);
+    add_tip(flesh_.digits[0], kThumbDistal, tips_[0].y(), kThumbRadii[2], kThumbRadii[3]);
   }
 
   // One finger's share of the palm: the shaft, a thin dorsal ridge with its knuckle, and the pad
@@ -106,70 +107,79 @@ class Maker {
     const double l = length(bone), thick = width_ * shape_.palm_thickness;
     const double head = kFingerRadii[finger][0];
     Builder builder(flesh_.palm, frame(bone), width_);
-    builder.add({0, 0, -4 * thick}, {0, l, -3.5 * thick}, 11.5, head, shape_.palm_thickness,
-                shape_.palm_thickness);
-    builder.add({0, 0, 1 * thick}, {0, l, 0}, 8, .86 * head);
-    builder.add({0, l - 2, .6 * thick}, {0, l, .2 * thick}, .84 * head, .84 * head);
-    builder.add({0, l - 14, -7.5 * thick}, {0, l - 1, -7 * thick}, 7.5, 8);
-    flesh_.rays[static_cast<std::size_t>(finger + 1)] =
-        flesh_.palm.capsules[flesh_.palm.capsules.size() - 4];
+    builder.add(kPalmBlend, {0, 0, -4 * thick}, {0, l, -3.5 * thick}, 11, .95 * head,
+                shape_.palm_thickness, shape_.palm_thickness);
+    flesh_.rays[static_cast<std::size_t>(finger + 1)] = flesh_.palm.back();
+    builder.add(kPadBlend, {0, 0, 0}, {0, l, -.2 * thick}, 7.5, .84 * head);
+    builder.add(kPalmBlend, {0, l - 13, -8 * thick}, {0, l - 1, -8 * thick}, 7.5, 8);
   }
 
   Eigen::Vector3d palm_point(double x, double y, double z) const {
     return {x * width_, y * shape_.length_mm / kTableLengthMm, z * width_ * shape_.palm_thickness};
   }
 
-  void add_between(const Eigen::Vector3d& start, const Eigen::Vector3d& end, double start_radius,
+  void add_to_palm(const Eigen::Vector3d& start, const Eigen::Vector3d& end, double start_radius,
                    double end_radius) {
-    flesh_.palm.capsules.push_back({start, end, start_radius * width_, end_radius * width_});
+    flesh_.palm.push_back({.start = start,
+                           .end = end,
+                           .start_radius = start_radius * width_,
+                           .end_radius = end_radius * width_,
+                           .blend = kPalmBlend * width_});
+  }
+
+  Eigen::Vector3d on_bone(int bone, double along, double z) const {
+    return frame(bone) * Eigen::Vector3d(0, along * length(bone), z * width_);
+  }
+
+  // Between two fingers: what fills the gap between their metacarpals, and the web.
+  void add_web(int finger) {
+    const auto between = [&](FingerBone bone, double along, double z) {
+      return Eigen::Vector3d(.5 * (on_bone(finger_bone(finger, bone), along, z) +
+                                   on_bone(finger_bone(finger + 1, bone), along, z)));
+    };
+    add_to_palm(between(kMetacarpal, .3, -3.2), between(kMetacarpal, .95, -3), 8.6, 8.2);
+    add_to_palm(between(kProximal, -.05, -2.4), between(kProximal, .22, -3.5), 8.2, 7);
+    add_to_palm(on_bone(finger_bone(finger, kProximal), .36, -4),
+                on_bone(finger_bone(finger + 1, kProximal), .36, -4), 6, 6);
   }
 
   // The thumb's metacarpal, its muscles, and the first web.
   void add_thenar() {
-    const RigidTransform& thumb = frame(kThumbMetacarpal);
-    const double l = length(kThumbMetacarpal);
     const auto on_thumb = [&](double along, double z) {
-      return Eigen::Vector3d(thumb * Eigen::Vector3d(0, along * l, z * width_));
+      return on_bone(kThumbMetacarpal, along, z);
     };
-    add_between(on_thumb(0, -1), on_thumb(1, -1), 10.5, 9.6);
-    flesh_.rays[0] = flesh_.palm.capsules.back();
-    add_between(palm_point(-9, 20, -11), on_thumb(.72, -5), 13.5, 9.5);
-    add_between(palm_point(-4, 30, -11), on_thumb(.55, -5), 12, 9.5);
-    const RigidTransform& index = frame(finger_bone(0, kMetacarpal));
-    const double index_length = length(finger_bone(0, kMetacarpal));
     const auto on_index = [&](double along) {
-      return Eigen::Vector3d(index * Eigen::Vector3d(0, along * index_length, -5 * width_));
+      return on_bone(finger_bone(0, kMetacarpal), along, -5);
     };
-    add_between(on_thumb(.45, -1), on_index(.45), 9.5, 10);
-    add_between(on_thumb(.80, -1), on_index(.70), 6.5, 8.5);
+    add_to_palm(on_thumb(0, -1), on_thumb(1, -1), 10, 8.8);
+    flesh_.rays[0] = flesh_.palm.back();
+    add_to_palm(palm_point(-9, 21, -11), on_thumb(.70, -4.5), 13, 9.5);
+    add_to_palm(palm_point(-4, 30, -11), on_thumb(.55, -4.5), 12, 9.5);
+    add_to_palm(on_thumb(.45, -1), on_index(.45), 9, 9.5);
+    add_to_palm(on_thumb(.80, -1), on_index(.68), 6, 8);
+    add_to_palm(on_thumb(.96, -1), on_index(.90), 4, 8);
   }
 
   // The carpus, and the little finger's muscles on the heel of the hand.
   void add_heel() {
-    add_between(palm_point(17, 16, -9), palm_point(31, 56, -9), 11.5, 10);
-    flesh_.palm.capsules.push_back({palm_point(-12, 9, -3), palm_point(13, 9, -3), 18 * width_,
-                                    18 * width_, Eigen::Vector3d::UnitZ(), shape_.palm_thickness,
-                                    shape_.palm_thickness});
-  }
-
-  void add_web(int finger) {
-    const auto root = [&](int f) {
-      const Bone bone = finger_bone(f, kProximal);
-      return Eigen::Vector3d(frame(bone) * Eigen::Vector3d(0, .28 * length(bone), -4 * width_));
-    };
-    add_between(root(finger), root(finger + 1), 6.8, 6.8);
+    add_to_palm(palm_point(16, 13, -8), palm_point(26, 36, -8.5), 11.5, 11.5);
+    add_to_palm(palm_point(26, 36, -8.5), palm_point(34, 60, -7), 11.5, 10);
+    flesh_.palm.push_back({palm_point(-9, 9, -5.5), palm_point(11, 9, -5.5), 15.5 * width_,
+                           15.5 * width_, Eigen::Vector3d::UnitZ(), shape_.palm_thickness,
+                           shape_.palm_thickness, kPalmBlend * width_});
   }
 
   // Two elliptic cones, the ulna's head and the radius' end. It is cut off by HandSurface.
   void add_forearm() {
-    Flesh& flesh = flesh_.forearm;
-    flesh.blend = 12 * width_;
-    const double thickness = width_ * shape_.forearm_thickness, l = shape_.forearm_length_mm;
-    Builder builder(flesh, frame(kForearm), thickness);
-    builder.add({0, 2, -1}, {0, -65, -1}, 27, 30, .72, .80);
-    builder.add({0, -65, -1}, {0, -l - 30, -1}, 30, 39, .80, .88);
-    builder.add({20 * thickness, -16, 7 * thickness}, {19 * thickness, -26, 5 * thickness}, 8, 7);
-    builder.add({-17 * thickness, -2, 0}, {-17 * thickness, -16, 0}, 11, 10);
+    const double scale = width_ * shape_.forearm_thickness, l = shape_.forearm_length_mm;
+    Builder builder(flesh_.forearm, frame(kForearm), scale);
+    const double z = -4.5 * scale;
+    builder.add(0, {0, 2, z}, {0, -40, z}, 25.5, 26.5, .72, .78);
+    builder.add(2, {0, -40, z}, {0, -80, z}, 26.5, 30, .78, .84);
+    builder.add(2, {0, -80, z}, {0, -125, z}, 30, 35, .84, .88);
+    builder.add(2, {0, -125, z}, {0, -l - 50, z}, 35, 43, .88, .90);
+    builder.add(7, {18 * scale, -13, 3 * scale}, {13 * scale, -65, 0}, 7.5, 7);
+    builder.add(7, {-15 * scale, 0, -3 * scale}, {-11 * scale, -65, -3 * scale}, 10.5, 10);
   }
 
   const HandShape& shape_;

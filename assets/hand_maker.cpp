@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "glb.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
@@ -28,19 +30,28 @@ HandSurface surface_of(const HandShape& shape, double width, const Skeleton& ske
   return {flesh_of_shape(shape, width, frames, tips), width, shape.forearm_length_mm};
 }
 
-// Across the knuckles: from where the line through the outer two leaves the skin to where it
-// enters.
+// How far the flesh reaches from a joint, at whatever height it reaches furthest.
+double reach_mm(const HandSurface& surface, const Eigen::Vector3d& joint,
+                const Eigen::Vector3d& direction) {
+  double furthest = 0;
+  for (int height = -12; height <= 6; height += 2) {
+    double reach = 0;
+    for (int step = 0; step < 50; ++step) {
+      reach -= surface.distance(joint + Eigen::Vector3d(0, 0, height) + reach * direction);
+    }
+    furthest = std::max(furthest, reach);
+  }
+  return furthest;
+}
+
+// Along the line through the outer two knuckles.
 double knuckle_breadth_mm(const HandSurface& surface, const Skeleton& skeleton) {
   const auto& zero = skeleton.palm_from_bone_at_zero;
   const Eigen::Vector3d index = 1000 * zero[finger_bone(0, kProximal)].translation;
   const Eigen::Vector3d little = 1000 * zero[finger_bone(3, kProximal)].translation;
   const Eigen::Vector3d across = (little - index).normalized();
-  const auto reach = [&](Eigen::Vector3d from, const Eigen::Vector3d& direction) {
-    double length = 0;
-    for (int step = 0; step < 200; ++step) length -= surface.distance(from + length * direction);
-    return length;
-  };
-  return (little - index).norm() + reach(index, -across) + reach(little, across);
+  return (little - index).norm() + reach_mm(surface, index, -across) +
+         reach_mm(surface, little, across);
 }
 
 // The scale across the hand at which it is as broad as asked.

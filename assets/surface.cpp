@@ -2,6 +2,7 @@
 #include "surface.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graspdb {
 HandSurface::HandSurface(HandFlesh flesh, double width, double forearm_length_mm)
@@ -18,7 +19,7 @@ HandSurface::HandSurface(HandFlesh flesh, double width, double forearm_length_mm
 }
 
 double HandSurface::palm_distance(const Eigen::Vector3d& point) const {
-  const double palm = distance_to(flesh_.palm, point), blend = 14 * width_;
+  const double palm = distance_to(flesh_.palm, point), blend = 10 * width_;
   if (forearm_box_.exteriorDistance(point) > palm + blend) return palm;
   const double cut = -forearm_length_ - point.y();
   const double forearm = -smooth_min(-distance_to(flesh_.forearm, point), -cut, 6);
@@ -37,20 +38,23 @@ double HandSurface::distance(const Eigen::Vector3d& point) const {
 }
 
 Eigen::Vector3d HandSurface::gradient(const Eigen::Vector3d& point) const {
-  constexpr double kStep = .05;
-  Eigen::Vector3d gradient;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
-    gradient[axis] = (distance(point + step) - distance(point - step)) / (2 * kStep);
+  // Four samples at the corners of a tetrahedron.
+  constexpr double kStep = .03;
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& corner : {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, -1, -1),
+                                        Eigen::Vector3d(-1, 1, -1), Eigen::Vector3d(-1, -1, 1)}) {
+    gradient += distance(point + kStep * corner) * corner;
   }
-  return gradient;
+  return gradient / (4 * kStep);
 }
 
 Eigen::Vector3d HandSurface::projected(const Eigen::Vector3d& point) const {
   Eigen::Vector3d at = point;
-  for (int step = 0; step < 3; ++step) {
+  for (int step = 0; step < 4; ++step) {
+    const double off = distance(at);
+    if (std::abs(off) < 1e-3) break;
     const Eigen::Vector3d slope = gradient(at);
-    at -= distance(at) * slope / std::max(slope.squaredNorm(), .25);
+    at -= off * slope / std::max(slope.squaredNorm(), .25);
   }
   return at;
 }

@@ -16,6 +16,7 @@ class HandSurface {
   double distance(const Eigen::Vector3d& point) const;  // negative inside
   Eigen::Vector3d gradient(const Eigen::Vector3d& point) const;
   // The nearest point of the surface for a point that is already near it.
+  // To about a micrometre.
   Eigen::Vector3d projected(const Eigen::Vector3d& point) const;
 
   const HandFlesh& flesh() const { return flesh_; }
