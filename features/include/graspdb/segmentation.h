@@ -8,26 +8,45 @@
 
 namespace graspdb {
 
-// A box in HSV (OpenCV's 8-bit units; hue is 0..179 and wraps around), as the paper has it.
+// How skin is told from the rest.
+enum class SkinRule {
+  // Redder than the frame's own threshold: the a* of CIE Lab, split by Otsu's method. While the
+  // redder side fills more of the frame than a hand does, it is split again. Follows the light of
+  // the room: on photographs in warm and cold light its regions agree with hand-drawn masks better
+  // than any fixed box.
+  kRedness,
+  // A fixed box in HSV, as the paper has it.
+  kBox,
+};
+
 struct SkinOptions {
+  SkinRule rule = SkinRule::kRedness;
+  double max_share = 0.4;  // kRedness: of the frame, above which it is split again
+  int min_redness = 2;     // kRedness: a* that skin exceeds in any light; a grey wall has 0
+  // kBox, in OpenCV's 8-bit units; hue is 0..179 and wraps around.
   int hue_mean = 10, hue_range = 10;
   int saturation_mean = 133, saturation_range = 123;
   int value_mean = 129, value_range = 127;
   int min_area_px = 1000;  // smaller regions are no hand
 };
 
-// All skin-coloured pixels after a 5x5 closing.
+// All skin-coloured pixels after a 5x5 closing. Pure; thread-safe.
 Mask segment_skin(const ColorImage& frame, const SkinOptions& options = {});
 
-// The largest connected region of the mask of at least min_area_px pixels that overlaps `roi` (the
-// whole picture when absent); the others are cleared. None when there is no such region.
+// The largest connected region (of 8 neighbours) of the mask with at least min_area_px pixels, of
+// which one or more lie in `roi` (the whole picture when absent); the others are cleared. None when
+// there is no such region.
 std::optional<Mask> largest_region(const Mask& mask, int min_area_px,
                                    const std::optional<Box>& roi = {});
 
-// Cuts a bare forearm off: when the mask runs into the picture's border, what lies beyond the wrist
-// on that side is cleared.
+// Cuts a bare forearm off. Where an arm enters from the picture's border, what lies on its way up
+// to some 22 mm before the wrist is cleared. The wrist is found as the narrowing before the palm,
+// the palm as the widest place (largest inscribed circle) that is not too far from the fingertips;
+// lengths are counted in the palm's radius, about 40 mm. A mask that does not touch the border over
+// an arm's width is returned unchanged, as is one that shows no forearm. `hand` is one region.
 Mask cut_forearm(const Mask& hand);
 
+// Rec. 601 luma.
 GrayImage to_gray(const ColorImage& frame);
 
 }  // namespace graspdb

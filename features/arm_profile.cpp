@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "arm_profile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <queue>
+
+namespace graspdb {
+namespace {
+
+// The border's pixels, once around.
+std::vector<cv::Point> border_of(const cv::Size& size) {
+  const int right = size.width - 1, bottom = size.height - 1;
+  std::vector<cv::Point> border;
+  for (int x = 0; x < right; ++x) border.emplace_back(x, 0);
+  for (int y = 0; y < bottom; ++y) border.emplace_back(right, y);
+  for (int x = right; x > 0; --x) border.emplace_back(x, bottom);
+  for (int y = bottom; y > 0; --y) border.emplace_back(0, y);
+  return border;
+}
+
+// The longest stretch of the border that lies in the mask.
+std::vector<cv::Point> longest_contact(const cv::Mat& mask) {
+  const std::vector<cv::Point> border = border_of(mask.size());
+  std::vector<cv::Point> longest, current;
+  // Twice around, because a stretch may hold the first corner.
+  for (std::size_t i = 0; i < 2 * border.size(); ++i) {
+    const cv::Point& point = border[i % border.size()];
+    if (mask.at<std::uint8_t>(point) == 0) {
+      current.clear();
+    } else if (current.size() < border.size()) {
+      current.push_back(point);
+    }
+    if (current.size() > longest.size()) longest = current;
+  }
+  return longest;
+}
+
+// Dijkstra's shortest paths over the 8 neighbours.
+cv::Mat path_lengths(const cv::Mat& mask, const std::vector<cv::Point>& sources) {
+  using Entry = std::pair<float, int>;  // length, pixel number
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  cv::Mat length(mask.size(), CV_32F, cv::Scalar(-1));
+  const auto reach = [&](const cv::Point& point, float at) {
+    float& known = length.at<float>(point);
+    if (known >= 0 && known <= at) return;
+    known = at;
+    front.emplace(at, point.y * mask.cols + point.x);
+  };
+  for (const cv::Point& source : sources) reach(source, 0);
+  while (!front.empty()) {
+    const auto [at, number] = front.top();
+    front.pop();
+    const cv::Point from(number % mask.cols, number / mask.cols);
+    if (at > length.at<float>(from)) continue;
+    for (int i = 0; i < 9; ++i) {
+      const cv::Point step(i % 3 - 1, i / 3 - 1), to = from + step;
+      if (!cv::Rect(cv::Point(), mask.size()).contains(to)) continue;
+      if (mask.at<std::uint8_t>(to) != 0) reach(to, at + std::hypot(float(step.x), float(step.y)));
+    }
+  }
+  return length;
+}
+
+// Counts a circle for the entries next to its own too, because path lengths over a grid skip some.
+void raise_radius(int k, float radius, std::vector<float>& radii) {
+  if (k >= static_cast<int>(radii.size())) radii.resize(static_cast<std::size_t>(k) + 1);
+  const int end = std::min(k + 2, static_cast<int>(radii.size()));
+  for (int i = std::max(0, k - 1); i < end; ++i) {
+    float& known = radii[static_cast<std::size_t>(i)];
+    known = std::max(known, radius);
+  }
+}
+
+}  // namespace
+
+std::optional<ArmProfile> measure_arm(const cv::Mat& mask) {
+  cv::Mat inscribed;
+  cv::distanceTransform(mask, inscribed, cv::DIST_L2, 5);
+  double widest = 0;
+  cv::minMaxLoc(inscribed, nullptr, &widest);
+  const std::vector<cv::Point> contact = longest_contact(mask);
+  constexpr double kArmWidthInRadii = 0.8;
+  if (static_cast<double>(contact.size()) < kArmWidthInRadii * widest) return std::nullopt;
+  ArmProfile profile{path_lengths(mask, contact), {}};
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      const float way = profile.way.at<float>(y, x);
+      if (way < 0) continue;
+      raise_radius(static_cast<int>(way), inscribed.at<float>(y, x), profile.radius);
+    }
+  }
+  return profile;
+}
+
+}  // namespace graspdb

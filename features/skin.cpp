@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+#include "graspdb/error.h"
+#include "graspdb/segmentation.h"
+#include "opencv_image.h"
+
+namespace graspdb {
+namespace {
+
+using Histogram = std::array<double, 256>;
+
+Histogram histogram_of(const cv::Mat& image) {
+  Histogram histogram{};
+  for (int y = 0; y < image.rows; ++y) {
+    const std::uint8_t* row = image.ptr(y);
+    for (int x = 0; x < image.cols; ++x) ++histogram[row[x]];
+  }
+  return histogram;
+}
+
+double count_above(const Histogram& histogram, int level) {
+  return std::accumulate(histogram.begin() + level + 1, histogram.end(), 0.0);
+}
+
+// The level that splits what lies above `floor` into two classes with the largest variance between
+// them (Otsu 1979); `floor` itself when there is nothing to split.
+int otsu_level(const Histogram& histogram, int floor) {
+  double count = 0, sum = 0;
+  for (int level = floor + 1; level < 256; ++level) {
+    count += histogram[static_cast<std::size_t>(level)];
+    sum += level * histogram[static_cast<std::size_t>(level)];
+  }
+  int best_level = floor;
+  double best_variance = 0, low_count = 0, low_sum = 0;
+  for (int level = floor + 1; level < 255; ++level) {
+    low_count += histogram[static_cast<std::size_t>(level)];
+    low_sum += level * histogram[static_cast<std::size_t>(level)];
+    if (low_count == 0 || low_count == count) continue;
+    const double gap = low_sum / low_count - (sum - low_sum) / (count - low_count);
+    const double variance = low_count * (count - low_count) * gap * gap;
+    if (variance > best_variance) {
+      best_variance = variance;
+      best_level = level;
+    }
+  }
+  return best_level;
+}
+
+int redness_level(const cv::Mat& redness, const SkinOptions& options) {
+  const Histogram histogram = histogram_of(redness);
+  const double most = options.max_share * static_cast<double>(redness.total());
+  int level = otsu_level(histogram, -1);
+  while (count_above(histogram, level) > most) {
+    const int higher = otsu_level(histogram, level);
+    if (higher == level) break;
+    level = higher;
+  }
+  constexpr int kNeutral = 128;
+  return std::max(level, kNeutral + options.min_redness);
+}
+
+cv::Mat red_skin(const cv::Mat& bgr, const SkinOptions& options) {
+  cv::Mat lab, redness;
+  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  cv::extractChannel(lab, redness, 1);
+  return redness > redness_level(redness, options);
+}
+
+cv::Mat skin_in_box(const cv::Mat& bgr, const SkinOptions& options) {
+  cv::Mat hsv;
+  cv::cvtColor(bgr, hsv, cv::COLOR_BGR2HSV);
+  const auto inside = [&](int hue_low, int hue_high) {
+    cv::Mat mask;
+    cv::inRange(hsv,
+                cv::Scalar(hue_low, options.saturation_mean - options.saturation_range,
+                           options.value_mean - options.value_range),
+                cv::Scalar(hue_high, options.saturation_mean + options.saturation_range,
+                           options.value_mean + options.value_range),
+                mask);
+    return mask;
+  };
+  constexpr int kHues = 180;
+  const int low = options.hue_mean - options.hue_range, high = options.hue_mean + options.hue_range;
+  return inside(low, high) | inside(low + kHues, high + kHues) | inside(low - kHues, high - kHues);
+}
+
+}  // namespace
+
+Mask segment_skin(const ColorImage& frame, const SkinOptions& options) {
+  GRASPDB_CHECK(!frame.empty());
+  const cv::Mat bgr = as_mat(frame);
+  const cv::Mat skin =
+      options.rule == SkinRule::kBox ? skin_in_box(bgr, options) : red_skin(bgr, options);
+  Mask mask(frame.width(), frame.height());
+  cv::Mat closed = as_mat(mask);
+  cv::morphologyEx(skin, closed, cv::MORPH_CLOSE,
+                   cv::getStructuringElement(cv::MORPH_RECT, cv::Size(5, 5)));
+  return mask;
+}
+
+GrayImage to_gray(const ColorImage& frame) {
+  GrayImage gray(frame.width(), frame.height());
+  if (frame.empty()) return gray;
+  cv::Mat out = as_mat(gray);
+  cv::cvtColor(as_mat(frame), out, cv::COLOR_BGR2GRAY);
+  return gray;
+}
+
+}  // namespace graspdb
