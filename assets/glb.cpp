@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "graspdb/error.h"
+
 namespace graspdb {
 
 const std::array<std::string, 5> kTipNames = {"thumb_tip", "index_tip", "middle_tip", "ring_tip",
@@ -15,7 +17,7 @@ using Json = nlohmann::ordered_json;  // keys stay as written
 
 // Numbers of the glTF specification.
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
-constexpr int kUnsignedByte = 5121, kUnsignedInt = 5125, kFloat = 5126;
+constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kFloat = 5126;
 constexpr std::size_t kJointCount = kBoneCount + 5;
 constexpr double kForearmJointM = .25;  // from the wrist, about where an elbow is
 
@@ -122,8 +124,11 @@ class GlbWriter {
 
   std::size_t add_indices() {
     const std::size_t start = binary_.size();
-    for (const Triangle& triangle : hand_.bind_mesh.triangles) append(triangle);
-    return add_accessor(start, 3 * hand_.bind_mesh.triangles.size(), kUnsignedInt, "SCALAR",
+    GRASPDB_CHECK(hand_.bind_mesh.vertices.size() < 65535);
+    for (const Triangle& triangle : hand_.bind_mesh.triangles) {
+      for (const std::uint32_t vertex : triangle) append(static_cast<std::uint16_t>(vertex));
+    }
+    return add_accessor(start, 3 * hand_.bind_mesh.triangles.size(), kUnsignedShort, "SCALAR",
                         kElementArrayBuffer);
   }
 

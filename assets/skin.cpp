@@ -25,7 +25,7 @@ struct Joint {
   double shift;
 };
 constexpr std::array<Joint, 3> kThumbJoints = {
-    {{kThumbMetacarpal, 20, 0}, {kThumbProximal, 14, 1}, {kThumbDistal, 11, 0}}};
+    {{kThumbMetacarpal, 22, 0}, {kThumbProximal, 14, 1}, {kThumbDistal, 11, 0}}};
 
 std::array<Joint, 4> finger_joints(int finger) {
   return {{{finger_bone(finger, kMetacarpal), 17, 6},
@@ -99,7 +99,7 @@ class Weigher {
       finger = std::min(finger, phalanges);
       palm = std::min(palm, metacarpal);
     }
-    const double softness = width_ * std::lerp(1.6, 6.0, smooth_step(-3, 6, finger - palm));
+    const double softness = width_ * std::lerp(1.6, 8.0, smooth_step(-3, 6, finger - palm));
     const double nearest = *std::min_element(distance.begin(), distance.end());
     for (double& d : distance) d = std::exp(-(d - nearest) / softness);
     const double sum = std::accumulate(distance.begin(), distance.end(), 0.0);
@@ -146,7 +146,7 @@ std::vector<SkinWeights> skin_weights(const HandSurface& surface, const RawMesh&
   const Weigher weigher(surface, frames, width);
   std::vector<Row> rows(mesh.vertices.size());
   parallel_for(rows.size(), 0, [&](std::size_t v) { rows[v] = weigher.weights(mesh.vertices[v]); });
-  smooth(mesh, 6, rows);
+  smooth(mesh, 12, rows);
   std::vector<SkinWeights> skins;
   skins.reserve(rows.size());
   for (const Row& row : rows) skins.push_back(four_largest(row));

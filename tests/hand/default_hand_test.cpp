@@ -104,11 +104,18 @@ TEST_P(DefaultHand, IsAsBroadAsAsked) {
   const Eigen::Vector3d along = Eigen::Vector3d::UnitZ().cross(across).normalized();
   const std::vector<std::uint8_t> strongest = strongest_bones(hand_);
   double low = 0, high = 0;
-  for (std::size_t v = 0; v < strongest.size(); ++v) {
-    const Eigen::Vector3d from_index = hand_.bind_mesh.vertices[v].cast<double>() - index;
-    if (strongest[v] < kFirstFingerBone || std::abs(from_index.dot(along)) > .004) continue;
-    low = std::min(low, from_index.dot(across));
-    high = std::max(high, from_index.dot(across));
+  // Where the skin's edges cross the plane through the knuckles; the thumb does not count.
+  for (const Triangle& t : hand_.bind_mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+      const Eigen::Vector3d a = hand_.bind_mesh.vertices[from].cast<double>() - index;
+      const Eigen::Vector3d b = hand_.bind_mesh.vertices[to].cast<double>() - index;
+      if (strongest[from] < kFirstFingerBone || a.dot(along) * b.dot(along) >= 0) continue;
+      const double part = a.dot(along) / (a - b).dot(along);
+      const double place = (a + part * (b - a)).dot(across);
+      low = std::min(low, place);
+      high = std::max(high, place);
+    }
   }
   EXPECT_NEAR(high - low, GetParam().breadth_mm / 1000, .00001 * GetParam().breadth_mm);
 }
@@ -217,7 +224,8 @@ TEST_P(EveryAngle, AxialRotationTurnsTheThumbsPulpToTheFingers) {
   EXPECT_GT(pulp_turned, 0);  // the pulp looks dorsally, to where the fingers' pulps are
 }
 
-const auto kDefaults = ::testing::Values(Measures{"male", 193, 88});
+const auto kDefaults = ::testing::Values(Measures{"male", 193, 88}, Measures{"female", 180, 78},
+                                         Measures{"slender", 190, 76}, Measures{"child", 140, 66});
 const auto kName = [](const auto& info) { return info.param.name; };
 INSTANTIATE_TEST_SUITE_P(Hands, DefaultHand, kDefaults, kName);
 INSTANTIATE_TEST_SUITE_P(Hands, EveryAngle, kDefaults, kName);
