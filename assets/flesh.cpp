@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "flesh.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "graspdb/transform.h"
 #include "proportions.h"
 
@@ -70,13 +73,15 @@ class Maker {
     Builder builder(flesh, frame(bone), scale);
     builder.add(kShaftBlend, {0, 0, palmar}, {0, .5 * l, palmar}, radii[0], radii[1], .94, .92);
     builder.add(kShaftBlend, {0, .5 * l, palmar}, {0, l, palmar}, radii[1], radii[2], .92, .94);
-    builder.add(kPadBlend, {0, .32 * l, palmar - .30 * r}, {0, .66 * l, palmar - .28 * r},
-                .74 * radii[1], .72 * radii[1]);
+    builder.add(kPadBlend, {0, .28 * l, palmar - .32 * r}, {0, .68 * l, palmar - .30 * r},
+                .78 * radii[1], .75 * radii[1]);
   }
 
-  // A last phalanx: flatter to its end, with the pulp under it.
-  void add_tip(Flesh& flesh, int bone, double l, double joint_radius, double tip_radius) {
-    const double scale = digit_thickness(), palmar = -1.2 * scale, r = tip_radius * scale;
+  // A last phalanx: flatter to its end, with the pulp under it and the nail on it.
+  void add_tip(std::size_t digit, int bone, double joint_radius, double tip_radius) {
+    Flesh& flesh = flesh_.digits[digit];
+    const double l = tips_[digit].y(), scale = digit_thickness(), palmar = -1.2 * scale,
+                 r = tip_radius * scale;
     Builder builder(flesh, frame(bone), scale);
     builder.add(kShaftBlend, {0, 0, palmar}, {0, .5 * l, palmar}, joint_radius,
                 .5 * (joint_radius + tip_radius) + .2, .93, .88);
@@ -84,6 +89,7 @@ class Maker {
                 .5 * (joint_radius + tip_radius) + .2, tip_radius, .88, .80);
     builder.add(kPadBlend, {0, .45 * l, palmar - .26 * r}, {0, l - 1.2 * r, palmar - .12 * r},
                 .80 * joint_radius, .84 * tip_radius, .95, .95);
+    flesh_.nails[digit] = {frame(bone), l - .82 * r, .76 * r, .72 * r};
   }
 
   void add_finger(int finger) {
@@ -91,13 +97,12 @@ class Maker {
     const double* radii = kFingerRadii[finger];
     add_phalanx(flesh_.digits[digit], finger_bone(finger, kProximal), radii);
     add_phalanx(flesh_.digits[digit], finger_bone(finger, kMiddle), radii + 2);
-    add_tip(flesh_.digits[digit], finger_bone(finger, kDistal), tips_[digit].y(), radii[4],
-            radii[5]);
+    add_tip(digit, finger_bone(finger, kDistal), radii[4], radii[5]);
   }
 
   void add_thumb() {
     add_phalanx(flesh_.digits[0], kThumbProximal, kThumbRadii);
-    add_tip(flesh_.digits[0], kThumbDistal, tips_[0].y(), kThumbRadii[2], kThumbRadii[3]);
+    add_tip(0, kThumbDistal, kThumbRadii[2], kThumbRadii[3]);
   }
 
   // One finger's share of the palm: the shaft, a thin dorsal ridge with its knuckle, and the pad
@@ -137,7 +142,8 @@ class Maker {
       return Eigen::Vector3d(.5 * (on_bone(finger_bone(finger, bone), along, z) +
                                    on_bone(finger_bone(finger + 1, bone), along, z)));
     };
-    add_to_palm(between(kMetacarpal, .3, -3.2), between(kMetacarpal, .95, -3), 8.6, 8.2);
+    add_to_palm(between(kMetacarpal, .12, -3.5), between(kMetacarpal, .95, -3.2), 8.8, 8.4);
+    add_to_palm(between(kMetacarpal, .55, -6), between(kMetacarpal, .95, -7.5), 8, 7.6);
     add_to_palm(between(kProximal, -.05, -2.4), between(kProximal, .22, -3.5), 8.2, 7);
     add_to_palm(on_bone(finger_bone(finger, kProximal), .36, -4),
                 on_bone(finger_bone(finger + 1, kProximal), .36, -4), 6, 6);
@@ -178,8 +184,8 @@ class Maker {
     builder.add(2, {0, -40, z}, {0, -80, z}, 26.5, 30, .78, .84);
     builder.add(2, {0, -80, z}, {0, -125, z}, 30, 35, .84, .88);
     builder.add(2, {0, -125, z}, {0, -l - 50, z}, 35, 43, .88, .90);
-    builder.add(7, {18 * scale, -13, 3 * scale}, {13 * scale, -65, 0}, 7.5, 7);
-    builder.add(7, {-15 * scale, 0, -3 * scale}, {-11 * scale, -65, -3 * scale}, 10.5, 10);
+    builder.add(12, {16.5 * scale, -12, 3.5 * scale}, {13 * scale, -65, 0}, 7.5, 7);
+    builder.add(12, {-15 * scale, 0, -3 * scale}, {-11 * scale, -65, -3 * scale}, 10.5, 10);
   }
 
   const HandShape& shape_;
@@ -190,6 +196,15 @@ class Maker {
 };
 
 }  // namespace
+
+double nail_share(const Nail& nail, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d local = nail.hand_from_distal.inverse() * point;
+  if (local.z() < 0) return 0;
+  // Between an ellipse and a rectangle.
+  const double edge = std::pow(local.x() / nail.half_breadth, 4) +
+                      std::pow((local.y() - nail.middle_y) / nail.half_length, 4);
+  return std::clamp(1.75 - .75 * edge, 0.0, 1.0);
+}
 
 HandFlesh flesh_of_shape(const HandShape& shape, double width, const BoneFramesMm& frames,
                          const std::array<Eigen::Vector3d, 5>& tips_mm) {

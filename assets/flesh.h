@@ -13,10 +13,19 @@ namespace graspdb {
 using BoneFramesMm = PerBone<RigidTransform>;
 
 // `frames` are those of the pose in which the flesh is wanted, `tips` in their distal bone.
+// A nail lies on the back of a last phalanx.
+struct Nail {
+  RigidTransform hand_from_distal;
+  double middle_y, half_length, half_breadth;
+};
+// 1 on the nail, 0 off it, with a soft edge.
+double nail_share(const Nail& nail, const Eigen::Vector3d& point);
+
 struct HandFlesh {
   std::array<Flesh, 5> digits;  // thumb, index, middle, ring, little: phalanges only
   Flesh palm;                   // with metacarpals, thenar, webs
   Flesh forearm;
+  std::array<Nail, 5> nails;
   std::array<Capsule, 5> rays;  // metacarpals as they are, to divide the palm among them
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "glb.h"
 #include "graspdb/error.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kCellMm = 2.2;
 constexpr std::size_t kTriangleCount = 10000;
+constexpr double kSkinAlbedo = .86;  // nails are brighter than skin
 
 BoneFramesMm in_millimetres(BoneFramesMm frames) {
   for (RigidTransform& frame : frames) frame.translation *= 1000;
@@ -64,11 +66,26 @@ double fitting_width(const HandShape& shape) {
   return width;
 }
 
+double nail_share(const HandSurface& surface, const Eigen::Vector3d& point) {
+  double share = 0;
+  for (const Nail& nail : surface.flesh().nails) share = std::max(share, nail_share(nail, point));
+  return share;
+}
+
+// Few triangles, but all of them on the nails, where the grey changes.
+RawMesh reduced(const HandSurface& surface, const RawMesh& fine) {
+  std::vector<bool> kept;
+  for (const Eigen::Vector3d& v : fine.vertices) kept.push_back(nail_share(surface, v) > 0);
+  return simplified(fine, kTriangleCount, kept);
+}
+
 Mesh finished_mesh(const HandSurface& surface, const RawMesh& raw) {
   Mesh mesh;
   for (const Eigen::Vector3d& vertex : raw.vertices) {
     mesh.vertices.push_back((vertex / 1000).cast<float>());
     mesh.normals.push_back(surface.gradient(vertex).normalized().cast<float>());
+    const double albedo = std::lerp(kSkinAlbedo, 1.0, nail_share(surface, vertex));
+    mesh.albedo.push_back(static_cast<float>(albedo));
   }
   mesh.triangles = raw.triangles;
   return mesh;
@@ -131,7 +148,7 @@ Hand make_hand(const HandShape& shape) {
   const HandSurface surface = surface_of(shape, width, hand.skeleton);
   RawMesh fine = mesh_surface(surface, kCellMm * width);
   relax(surface, 6, fine);
-  RawMesh mesh = simplified(fine, kTriangleCount);
+  RawMesh mesh = reduced(surface, fine);
   relax(surface, 4, mesh);
   GRASPDB_CHECK(is_sphere_like(mesh));
   hand.bind_mesh = finished_mesh(surface, mesh);

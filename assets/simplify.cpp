@@ -28,8 +28,9 @@ constexpr double kWorstQuality = .15;
 
 class Simplifier {
  public:
-  explicit Simplifier(const RawMesh& mesh)
-      : vertices_(mesh.vertices),
+  Simplifier(const RawMesh& mesh, const std::vector<bool>& kept)
+      : kept_(kept),
+        vertices_(mesh.vertices),
         triangles_(mesh.triangles),
         triangles_of_(vertices_.size()),
         quadrics_(vertices_.size(), Eigen::Matrix4d::Zero()),
@@ -79,7 +80,8 @@ class Simplifier {
   // The edges of `v` to vertices above `lowest`.
   void queue_edges(Index v, Index lowest) {
     for (const Index other : neighbours(v)) {
-      if (other > lowest) queue_edge(std::min(v, other), std::max(v, other));
+      if (other > lowest && !kept_[v] && !kept_[other])
+        queue_edge(std::min(v, other), std::max(v, other));
     }
   }
 
@@ -174,6 +176,7 @@ class Simplifier {
     return mesh;
   }
 
+  const std::vector<bool>& kept_;
   std::vector<Eigen::Vector3d> vertices_;
   std::vector<Triangle> triangles_;
   std::vector<std::vector<Index>> triangles_of_;
@@ -185,8 +188,8 @@ class Simplifier {
 
 }  // namespace
 
-RawMesh simplified(const RawMesh& mesh, std::size_t triangle_count) {
-  return Simplifier(mesh).reduce_to(triangle_count);
+RawMesh simplified(const RawMesh& mesh, std::size_t triangle_count, const std::vector<bool>& kept) {
+  return Simplifier(mesh, kept).reduce_to(triangle_count);
 }
 
 }  // namespace graspdb
