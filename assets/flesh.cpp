@@ -56,7 +56,7 @@ class Maker {
 
  private:
   static constexpr double kShaftBlend = 1.5;  // along a digit the radii already agree
-  static constexpr double kPadBlend = 4;
+  static constexpr double kPadBlend = 3.2;
   static constexpr double kPalmBlend = 7;
 
   const RigidTransform& frame(int bone) const { return frames_[static_cast<std::size_t>(bone)]; }
@@ -142,7 +142,7 @@ class Maker {
       return Eigen::Vector3d(.5 * (on_bone(finger_bone(finger, bone), along, z) +
                                    on_bone(finger_bone(finger + 1, bone), along, z)));
     };
-    add_to_palm(between(kMetacarpal, .12, -3.5), between(kMetacarpal, .95, -3.2), 8.8, 8.4);
+    add_to_palm(between(kMetacarpal, .12, -3.1), between(kMetacarpal, .95, -2.7), 8.8, 8.4);
     add_to_palm(between(kMetacarpal, .55, -6), between(kMetacarpal, .95, -7.5), 8, 7.6);
     add_to_palm(between(kProximal, -.05, -2.4), between(kProximal, .22, -3.5), 8.2, 7);
     add_to_palm(on_bone(finger_bone(finger, kProximal), .36, -4),

@@ -12,7 +12,6 @@ namespace graspdb {
 // Bone frames with millimetre origins.
 using BoneFramesMm = PerBone<RigidTransform>;
 
-// `frames` are those of the pose in which the flesh is wanted, `tips` in their distal bone.
 // A nail lies on the back of a last phalanx.
 struct Nail {
   RigidTransform hand_from_distal;
@@ -29,6 +28,7 @@ struct HandFlesh {
   std::array<Capsule, 5> rays;  // metacarpals as they are, to divide the palm among them
 };
 
+// `frames` are those of the pose in which the flesh is wanted; `tips_mm` lie in their distal bone.
 HandFlesh flesh_of_shape(const HandShape& shape, double width, const BoneFramesMm& frames,
                          const std::array<Eigen::Vector3d, 5>& tips_mm);
 

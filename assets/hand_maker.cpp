@@ -91,6 +91,23 @@ Mesh finished_mesh(const HandSurface& surface, const RawMesh& raw) {
   return mesh;
 }
 
+void check(const HandShape& shape) {
+  const auto within = [&](const char* measure, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    throw Error({.file = "hand " + shape.name,
+                 .key = measure,
+                 .expected = fmt::format("{} to {}", low, high),
+                 .found = fmt::format("{}", value)});
+  };
+  within("length_mm", shape.length_mm, 100, 240);
+  within("breadth_mm", shape.breadth_mm, .36 * shape.length_mm, .54 * shape.length_mm);
+  within("finger_length", shape.finger_length, .8, 1.2);
+  within("finger_thickness", shape.finger_thickness, .8, 1.15);
+  within("palm_thickness", shape.palm_thickness, .8, 1.25);
+  within("forearm_thickness", shape.forearm_thickness, .75, 1.3);
+  within("forearm_length_mm", shape.forearm_length_mm, 60, 250);
+}
+
 std::string rig_map_text(const Hand& hand) {
   const Eigen::Vector3d nail = hand.palm_from_bone_at_bind[kThumbDistal].rotation.col(2);
   std::string text = fmt::format(
@@ -142,6 +159,7 @@ HandShape default_hand_shape(const std::string& name) {
 }
 
 Hand make_hand(const HandShape& shape) {
+  check(shape);
   const double width = fitting_width(shape);
   Hand hand{.name = shape.name, .skeleton = skeleton_of_shape(shape, width)};
   hand.palm_from_bone_at_bind = palm_from_bones(hand.skeleton, bind_angles());

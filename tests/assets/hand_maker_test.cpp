@@ -75,6 +75,54 @@ TEST(HandMaker, BoneAxesOfAFileDoNotMatter) {
   expect_same_hand(written_and_loaded(turned), hand);
 }
 
+// As if the hand had been bound in another pose and at another place of the file.
+Hand bound_elsewhere(const Hand& hand, const JointAngles& angles, const RigidTransform& moved) {
+  Hand other = hand;
+  const PerBone<RigidTransform> frames = palm_from_bones(hand.skeleton, angles);
+  other.bind_mesh = pose_skin(hand, frames);
+  for (std::size_t b = 0; b < kBoneCount; ++b) other.palm_from_bone_at_bind[b] = moved * frames[b];
+  for (Eigen::Vector3f& v : other.bind_mesh.vertices) v = (moved * v.cast<double>()).cast<float>();
+  return other;
+}
+
+TEST(HandMaker, AnglesMeanTheSameFromWhateverRestPose) {
+  const Hand hand = load_hand(kHands + "male.glb");
+  JointAngles bent = JointAngles::Zero();
+  for (int f = 0; f < kFingerCount; ++f) {
+    bent[finger_angle(f, kMcpFlexion)] = radians(50);
+    bent[finger_angle(f, kMcpAbduction)] = radians(5 - 3 * f);
+    bent[finger_angle(f, kPipFlexion)] = radians(60 + 5 * f);
+    bent[finger_angle(f, kDipFlexion)] = radians(20);
+  }
+  bent[kThumbCmcFlexion] = bent[kThumbCmcAxial] = bent[kThumbIpFlexion] = radians(25);
+  bent[kWristFlexion] = radians(-30);
+  const RigidTransform place{rotation_from_vector({.3, -2, 1}), {.4, -1, 2}};
+  for (const JointAngles& rest : {JointAngles(JointAngles::Zero()), bent}) {
+    const Hand loaded = written_and_loaded(bound_elsewhere(hand, rest, place));
+    EXPECT_LT(testing::largest_difference(loaded.skeleton, hand.skeleton), 2e-6);
+    const auto frames = palm_from_bones(hand.skeleton, rest);
+    for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
+      EXPECT_LT(angle_between(loaded.palm_from_bone_at_bind[bone].rotation, frames[bone].rotation),
+                2e-4)
+          << bone_name(static_cast<int>(bone));
+    }
+  }
+}
+
+TEST(HandMaker, UnitOfAFileIsInItsRigMap) {
+  const Hand hand = load_hand(kHands + "male.glb");
+  Hand centimetres = hand;
+  for (RigidTransform& frame : centimetres.palm_from_bone_at_bind) frame.translation *= 100;
+  for (Eigen::Vector3d& tip : centimetres.skeleton.tip_in_distal) tip *= 100;
+  for (Eigen::Vector3f& v : centimetres.bind_mesh.vertices) v *= 100;
+  const TemporaryDirectory directory;
+  write_hand(centimetres, directory / "male.glb");
+  EXPECT_THROW(load_hand(directory / "male.glb"), Error);
+  const std::string map = read_text(directory / "male.rig.toml");
+  write_text(directory / "male.rig.toml", "metres_per_unit = 0.01\n" + map);
+  expect_same_hand(load_hand(directory / "male.glb"), hand);
+}
+
 TEST(HandMaker, LeftHandIsMirroredOnTheWayIn) {
   const TemporaryDirectory directory;
   const Hand hand = load_hand(kHands + "male.glb");
@@ -88,6 +136,17 @@ TEST(HandMaker, LeftHandIsMirroredOnTheWayIn) {
 
 TEST(HandMaker, RefusesAnUnknownDefaultHand) {
   EXPECT_THROW(default_hand_shape("giant"), Error);
+}
+
+TEST(HandMaker, NamesTheMeasureThatNoHandHas) {
+  HandShape shape = default_hand_shape("male");
+  shape.finger_thickness = 3;
+  try {
+    make_hand(shape);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault().key, "finger_thickness");
+  }
 }
 
 }  // namespace
