@@ -82,7 +82,7 @@ void SquaredDistances(const std::uint8_t* query, const std::uint8_t* rows,
 void SquaredDistancesAt(const std::uint8_t* query, const std::uint8_t* rows,
                         std::span<const std::uint32_t> places, std::span<std::uint32_t> squared) {
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i + 4 < places.size()) PrefetchRow(rows, std::size_t{places[i + 4]} * kDescriptorSize);
+    if (i + 8 < places.size()) PrefetchRow(rows, std::size_t{places[i + 8]} * kDescriptorSize);
     squared[i] = SquaredDistance(query, rows + std::size_t{places[i]} * kDescriptorSize);
   }
 }

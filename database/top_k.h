@@ -27,6 +27,9 @@ class TopK {
     if (keys_.size() == 2 * k_) drop_worse_half();
   }
 
+  // No row further than this is kept.
+  std::uint32_t bound() const { return static_cast<std::uint32_t>(bound_ >> 32); }
+
   // Nearest first.
   std::vector<Neighbor> take() {
     std::sort(keys_.begin(), keys_.end());

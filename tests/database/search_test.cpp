@@ -112,6 +112,28 @@ TEST_P(SearchTest, LshGivesRowsOfTheirTrueDistanceInOrderAndAsManyAsThereAre) {
   }
 }
 
+TEST_P(SearchTest, ScanGivesAllRowsInOrderWhenAskedForMany) {
+  const TemporaryDirectory directory;
+  const Database database = database_of(directory / "a.graspdb", GetParam().rows);
+  const std::unique_ptr<Search> scan = make_scan_search(database);
+  EXPECT_EQ(scan->nearest(BallHands::row(7), 5000),
+            brute_force(GetParam().rows, BallHands::row(7), 5000));
+  EXPECT_TRUE(scan->nearest(BallHands::row(7), 0).empty());
+}
+
+TEST_P(SearchTest, ScanEqualsBruteForceWhenNothingIsLeftOutOfTheCodes) {
+  // Codes of all directions lose nothing but their rounding, which 200 re-ranked rows make good.
+  const std::vector<Descriptor>& rows = GetParam().rows;
+  const TemporaryDirectory directory;
+  const Database database = database_of(directory / "a.graspdb", rows);
+  const std::unique_ptr<Search> scan =
+      make_scan_search(database, {.dimensions = kDescriptorSize, .rerank = 200});
+  for (const Descriptor& query :
+       {random_descriptor(3, 256), BallHands::row(97), BallHands::row(7)}) {
+    EXPECT_EQ(scan->nearest(query, 3), brute_force(rows, query, 3));
+  }
+}
+
 TEST(ExactSearch, RefusesANegativeCount) {
   const TemporaryDirectory directory;
   const Database database = database_of(directory / "a.graspdb", {Descriptor{}});
@@ -232,6 +254,21 @@ TEST_F(LshTest, OptionsOutOfRangeAreRefusedByName) {
   EXPECT_EQ(refused({.hashes = 33}), "hashes");
   EXPECT_EQ(refused({.width = 0}), "width");
   EXPECT_EQ(refused({.probes = 0}), "probes");
+}
+
+TEST_F(LshTest, ScanFindsNearlyEveryNeighbour) {
+  const std::unique_ptr<Search> exact = make_exact_search(database_);
+  EXPECT_GE(recall(*make_scan_search(database_), *exact, queries(40), 20), 0.99);
+  const std::unique_ptr<Search> coarse =
+      make_scan_search(database_, {.dimensions = 6, .rerank = 80});
+  EXPECT_LT(recall(*coarse, *exact, queries(40), 20), 0.9) << "the test is too easy";
+}
+
+TEST_F(LshTest, ScanOptionsOutOfRangeAreRefusedByName) {
+  EXPECT_THROW(make_scan_search(database_, {.dimensions = 0}), Error);
+  EXPECT_THROW(make_scan_search(database_, {.dimensions = 127}), Error);
+  EXPECT_THROW(make_scan_search(database_, {.dimensions = 514}), Error);
+  EXPECT_THROW(make_scan_search(database_, {.rerank = 0}), Error);
 }
 
 // A small index, whose every byte can be tried.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+
+#include "graspdb/descriptor.h"
+
+namespace graspdb {
+
+// The directions in which a set of descriptors varies most.
+struct Pca {
+  Eigen::RowVectorXf mean;
+  Eigen::MatrixXf directions;  // a column each, of unit length, the widest first
+  float deviation = 0;         // the standard deviation along the first
+};
+
+// Fits to rows spread evenly over `hogs` (at least one; at most `sample` are looked at).
+// Deterministic.
+Pca fit_pca(std::span<const std::uint8_t> hogs, int dimensions, std::size_t sample);
+
+// Where descriptors, one behind the other, lie along the directions: a row each.
+Eigen::MatrixXf project(const Pca& pca, const std::uint8_t* descriptors, std::size_t count);
+
+}  // namespace graspdb
