@@ -93,7 +93,7 @@ class Maker {
   }
 
   void add_finger(int finger) {
-    const auto digit = static_cast<std::size_t>(finger + 1);
+    const auto digit = static_cast<std::size_t>(finger) + 1;
     const double* radii = kFingerRadii[finger];
     add_phalanx(flesh_.digits[digit], finger_bone(finger, kProximal), radii);
     add_phalanx(flesh_.digits[digit], finger_bone(finger, kMiddle), radii + 2);
@@ -114,7 +114,7 @@ class Maker {
     Builder builder(flesh_.palm, frame(bone), width_);
     builder.add(kPalmBlend, {0, 0, -4 * thick}, {0, l, -3.5 * thick}, 11, .95 * head,
                 shape_.palm_thickness, shape_.palm_thickness);
-    flesh_.rays[static_cast<std::size_t>(finger + 1)] = flesh_.palm.back();
+    flesh_.rays[static_cast<std::size_t>(finger) + 1] = flesh_.palm.back();
     builder.add(kPadBlend, {0, 0, 0}, {0, l, -.2 * thick}, 7.5, .84 * head);
     builder.add(kPalmBlend, {0, l - 13, -8 * thick}, {0, l - 1, -8 * thick}, 7.5, 8);
   }

@@ -52,7 +52,7 @@ Vector3d ulnar_axis(const Chain& chain, int finger) {
   constexpr double kSureBend = radians(10);
   const Vector3d first = chain.along[0].normalized(), middle = chain.along[1].normalized(),
                  last = chain.along[2].normalized();
-  const Vector3d flat = frame_along(first, finger_zero_rotation(finger).col(2)).col(0);
+  Vector3d flat = frame_along(first, finger_zero_rotation(finger).col(2)).col(0);
   if (std::acos(std::clamp(first.dot(last), -1.0, 1.0)) < kSureBend) return flat;
   const Vector3d axis = -(first.cross(middle) + middle.cross(last)).normalized();
   return axis.dot(flat) < 0 ? Vector3d(-axis) : axis;

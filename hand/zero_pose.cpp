@@ -42,7 +42,7 @@ Skeleton skeleton_from_measures(const HandMeasures& measures) {
   lay_chain(kThumbMetacarpal, 0, thumb_zero_rotation(), measures.cmc[0], measures.lengths[0],
             skeleton);
   for (int finger = 0; finger < kFingerCount; ++finger) {
-    const auto digit = static_cast<std::size_t>(finger + 1);
+    const auto digit = static_cast<std::size_t>(finger) + 1;
     const Eigen::Vector3d &cmc = measures.cmc[digit], &mcp = measures.mcp[digit - 1];
     const Eigen::Matrix3d rotation = finger_zero_rotation(finger);
     skeleton.palm_from_bone_at_zero[finger_bone(finger, kMetacarpal)] = {
