@@ -10,13 +10,18 @@ std::string hog_name(const HogOptions& options) {
   switch (options.mode) {
     case HogMode::kPaper:
       return "paper";
+    case HogMode::kEdges:
+      return "edges";
   }
   GRASPDB_CHECK(false);
 }
 
 HogOptions hog_from_name(std::string_view name, const std::string& file) {
-  if (name == "paper") return {HogMode::kPaper};
-  throw Error({.file = file, .key = "hog", .expected = "paper", .found = std::string(name)});
+  for (const HogMode mode : {HogMode::kPaper, HogMode::kEdges}) {
+    if (name == hog_name({mode})) return {mode};
+  }
+  throw Error(
+      {.file = file, .key = "hog", .expected = "paper or edges", .found = std::string(name)});
 }
 
 Descriptor describe(const GrayImage& gray, const Mask& mask, const HogOptions& options) {
@@ -26,6 +31,8 @@ Descriptor describe(const GrayImage& gray, const Mask& mask, const HogOptions& o
   switch (options.mode) {
     case HogMode::kPaper:
       return describe_paper(gray, mask, *box);
+    case HogMode::kEdges:
+      return describe_edges(gray, mask, *box);
   }
   GRASPDB_CHECK(false);
 }

@@ -27,7 +27,7 @@ TEST(TightBox, HoldsTheOutermostPixels) {
 }
 
 TEST(HogName, EveryModeComesBackAndOthersAreRefusedByName) {
-  for (const HogMode mode : {HogMode::kPaper}) {
+  for (const HogMode mode : {HogMode::kPaper, HogMode::kEdges}) {
     EXPECT_EQ(hog_from_name(hog_name({mode}), "a file").mode, mode);
   }
   try {
@@ -78,7 +78,7 @@ TEST_P(EveryMode, SinglePixelsAndThinLinesAreDescribed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Hog, EveryMode, ::testing::Values(HogMode::kPaper),
+INSTANTIATE_TEST_SUITE_P(Hog, EveryMode, ::testing::Values(HogMode::kPaper, HogMode::kEdges),
                          [](const auto& instance) { return hog_name({instance.param}); });
 
 }  // namespace

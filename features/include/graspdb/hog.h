@@ -15,7 +15,16 @@ namespace graspdb {
 std::optional<Box> tight_box(const Mask& mask);
 
 enum class HogMode {
-  kPaper,  // count votes on Sobel gradients; each cell L1-normalised times its share of hand pixels
+  // As Romero et al. (ICRA 2010): the box is cut into 8 x 8 cells (the last ones take the
+  // remainder); every hand pixel whose 3 x 3 neighbourhood is not flat votes 1 for the orientation
+  // of its Sobel gradient; each cell is L1-normalised times its share of hand pixels.
+  kPaper,
+  // For pictures of unlike size, light and noise: the box is averaged down (or spread) to 64 x 64
+  // pixels; the outline votes with its contrast, 1, whatever the light, and inner edges with theirs
+  // relative to the hand's mean brightness, without the faint ones and with no more than a part of
+  // the outline's weight; votes are split between the two nearest orientations. A value is the
+  // square root of a cell's votes, without normalisation.
+  kEdges,
 };
 
 struct HogOptions {

@@ -39,11 +39,13 @@ Mask segment_skin(const ColorImage& frame, const SkinOptions& options = {});
 std::optional<Mask> largest_region(const Mask& mask, int min_area_px,
                                    const std::optional<Box>& roi = {});
 
-// Cuts a bare forearm off. Where an arm enters from the picture's border, what lies on its way up
-// to some 22 mm before the wrist is cleared. The wrist is found as the narrowing before the palm,
-// the palm as the widest place (largest inscribed circle) that is not too far from the fingertips;
-// lengths are counted in the palm's radius, about 40 mm. A mask that does not touch the border over
-// an arm's width is returned unchanged, as is one that shows no forearm. `hand` is one region.
+// Cuts a bare forearm off. Where an arm enters from the picture's border, what lies on its way is
+// cleared up to some 15 mm before the wrist joint. Along the arm, measured by the radius of the
+// largest inscribed circle, the palm is the widening after the narrowest place that is not too far
+// from the fingertips; lengths are counted in its radius, about 40 mm, or the arm's. Seen edge-on a
+// palm hardly widens: there the cut may err by 40 mm to either side. A mask that does not touch the
+// border over an arm's width is returned unchanged, as is one that shows no forearm. `hand` is one
+// region.
 Mask cut_forearm(const Mask& hand);
 
 // Rec. 601 luma.
