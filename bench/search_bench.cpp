@@ -63,7 +63,7 @@ BENCHMARK(scan)
     ->ArgNames({"dimensions", "rerank"})
     ->Args({64, 400})
     ->Args({128, 200})
-    
+
     ->Args({128, 400});
 
 void lsh(benchmark::State& state) {
