@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "distance.h"
+#include "exact.h"
 #include "graspdb/error.h"
 #include "lsh_probes.h"
 #include "top_k.h"
@@ -68,17 +69,14 @@ class RowSet {
 class LshSearch : public Search {
  public:
   LshSearch(const Database& database, LshIndex index)
-      : hogs_(database.hogs()),
-        exact_(make_exact_search(database)),
-        options_(index.options),
-        hash_(index.options, index.cell) {
+      : hogs_(database.hogs()), options_(index.options), hash_(index.options, index.cell) {
     for (LshTable& table : index.tables) tables_.emplace_back(std::move(table));
   }
 
   std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
     GRASPDB_CHECK(k >= 0);
     const std::vector<std::uint32_t> rows = candidates(query);
-    if (rows.size() < static_cast<std::size_t>(k)) return exact_->nearest(query, k);
+    if (rows.size() < static_cast<std::size_t>(k)) return exact_nearest(hogs_, query, k);
     std::vector<std::uint32_t> squared(rows.size());
     squared_distances(query, hogs_.data(), rows, squared);
     TopK best(static_cast<std::size_t>(k));
@@ -113,7 +111,6 @@ class LshSearch : public Search {
   }
 
   std::span<const std::uint8_t> hogs_;
-  std::unique_ptr<Search> exact_;
   LshOptions options_;
   LshHash hash_;
   std::vector<Bucketed> tables_;

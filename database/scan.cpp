@@ -8,6 +8,7 @@
 
 #include "code_distance.h"
 #include "distance.h"
+#include "exact.h"
 #include "graspdb/error.h"
 #include "graspdb/parallel.h"
 #include "graspdb/search.h"
@@ -35,10 +36,7 @@ void check_options(const ScanOptions& options) {
 class ScanSearch : public Search {
  public:
   ScanSearch(const Database& database, const ScanOptions& options)
-      : hogs_(database.hogs()),
-        count_(database.rows()),
-        exact_(make_exact_search(database)),
-        options_(options) {
+      : hogs_(database.hogs()), count_(database.rows()), options_(options) {
     check_options(options);
     if (count_ == 0) return;
     pca_ = fit_pca(hogs_, options.dimensions, kSample);
@@ -52,7 +50,7 @@ class ScanSearch : public Search {
     GRASPDB_CHECK(k >= 0);
     const auto wanted = static_cast<std::size_t>(k);
     const auto kept = std::max(static_cast<std::size_t>(options_.rerank), 4 * wanted);
-    if (kept >= count_) return exact_->nearest(query, k);
+    if (kept >= count_) return exact_nearest(hogs_, query, k);
     TopK best(wanted);
     std::vector<std::uint32_t> rows = nearest_codes(query, kept);
     std::ranges::sort(rows);  // memory likes to be read in order
@@ -129,7 +127,6 @@ class ScanSearch : public Search {
 
   std::span<const std::uint8_t> hogs_;
   std::size_t count_;
-  std::unique_ptr<Search> exact_;
   ScanOptions options_;
   Pca pca_;
   float scale_ = 1;

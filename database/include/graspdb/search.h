@@ -31,7 +31,8 @@ class Search {
 double recall(const Search& search, const Search& exact, const std::vector<Descriptor>& queries,
               int k);
 
-// Compares with every row in integers: the same answer on every processor. The oracle.
+// Compares with every row in integers: the same answer on every processor. The oracle. Keeps a copy
+// of the descriptors.
 std::unique_ptr<Search> make_exact_search(const Database& database);
 
 // Compares short codes (the widest directions of a principal component analysis, a byte each) with

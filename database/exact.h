@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "graspdb/search.h"
+
+namespace graspdb {
+
+// The k nearest of descriptors that lie one behind the other: exact search without its copy, for
+// the searches that fall back on it.
+std::vector<Neighbor> exact_nearest(std::span<const std::uint8_t> rows, const Descriptor& query,
+                                    int k);
+
+}  // namespace graspdb
