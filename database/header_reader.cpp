@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "graspdb/error.h"
 #include "graspdb/hash.h"
 #include "header.h"
+#include "refuse.h"
 #include "strict_json.h"
 
 namespace graspdb {
@@ -17,11 +17,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uint64_t kMaxHeaderBytes = 100'000'000;  // as in the safetensors library
-
-[[noreturn]] void refuse(const std::string& file, const std::string& key,
-                         const std::string& expected, const std::string& found) {
-  throw Error({.file = file, .key = key, .expected = expected, .found = found});
-}
 
 std::string zeroed_hash(std::string header) {
   return header.replace(kHashPosition, kHashDigits, kHashDigits, '0');

@@ -7,11 +7,11 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/hash.h"
 #include "lsh.h"
 #include "mapped_file.h"
+#include "refuse.h"
 #include "strict_json.h"
 
 namespace graspdb {
@@ -22,11 +22,6 @@ using nlohmann::json;
 constexpr std::string_view kFormat = "graspdb-lsh";
 constexpr std::size_t kHashDigits = 32;
 constexpr std::size_t kMaxHeader = 1 << 20;
-
-[[noreturn]] void refuse(const std::string& file, const std::string& key,
-                         const std::string& expected, const std::string& found) {
-  throw Error({.file = file, .key = key, .expected = expected, .found = found});
-}
 
 template <typename T>
 void append(std::string& bytes, std::span<const T> values) {
@@ -179,7 +174,10 @@ LshIndex load_lsh_index(const std::filesystem::path& path, const Database& datab
   LshIndex index{.options = read_options(header, file),
                  .cell = number(header, "cell", file),
                  .tables = read_tables(header.at("keys"), database, reader, file)};
-  if (!(index.cell > 0) || std::ssize(index.tables) != index.options.tables || reader.left() > 0) {
+  // Within what check_lsh_options and a descriptor's size allow, so that cells can be numbered.
+  if (index.cell < 1e-3 || index.cell > 1e9)
+    refuse(file, "cell", "0.001 to 1e9", std::to_string(index.cell));
+  if (std::ssize(index.tables) != index.options.tables || reader.left() > 0) {
     refuse(file, "tables", std::to_string(index.options.tables), "a file of other tables");
   }
   return index;

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "graspdb/error.h"
+#include "refuse.h"
 
 namespace graspdb {
 namespace {
@@ -52,22 +52,18 @@ json parse_strict_json(std::string_view text, const std::string& file, const std
 JsonFields::JsonFields(const json& object, std::string file, std::string key)
     : object_(object), file_(std::move(file)), key_(std::move(key)) {
   if (object_.is_object()) return;
-  throw Error({.file = file_, .key = key_, .expected = "an object", .found = object_.type_name()});
+  graspdb::refuse(file_, key_, "an object", object_.type_name());
 }
 
 void JsonFields::refuse(const std::string& name, const std::string& expected,
                         const json& found) const {
-  throw Error({.file = file_,
-               .key = key_ + "." + name,
-               .expected = expected,
-               .found = found.is_primitive() ? found.dump() : found.type_name()});
+  graspdb::refuse(file_, key_ + "." + name, expected,
+                  found.is_primitive() ? found.dump() : found.type_name());
 }
 
 const json& JsonFields::at(const std::string& name) const {
   const auto found = object_.find(name);
-  if (found == object_.end()) {
-    throw Error({.file = file_, .key = key_ + "." + name, .expected = "an entry", .found = "none"});
-  }
+  if (found == object_.end()) graspdb::refuse(file_, key_ + "." + name, "an entry", "none");
   return *found;
 }
 
