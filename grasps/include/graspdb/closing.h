@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,13 +12,13 @@
 
 namespace graspdb {
 
-// Searches placement and angles near grasp.start. Deterministic. Takes seconds.
+// Searches placement and angles near grasp.start. Deterministic, thread-safe. Takes seconds.
 GraspPose close_grasp(const Grasp& grasp, const Hand& hand);
 
 struct StepCheck {
   int step = 0;
-  double penetration_mm =
-      0;  // deepest, of hand samples in the object and object samples in the hand
+  // Deepest, of hand samples in the object and of object samples in the hand.
+  double penetration_mm = 0;
   double self_penetration_mm = 0;     // deepest overlap between different digits
   double clearance_mm = 0;            // from the hand's skin to the object, 0 when they touch
   std::vector<std::string> contacts;  // bones with skin within 2 mm of the object
@@ -31,6 +30,8 @@ struct GraspCheck {
   std::vector<StepCheck> steps;
 };
 
+// The gates: at every step penetration and overlap of at most 2 mm; at the last step every required
+// digit within 2 mm of the object and no free one; every angle within its range. Thread-safe.
 GraspCheck check_grasp(const Grasp& grasp, const Hand& hand, const JointAngles& rest,
                        const GraspPose& closed);
 

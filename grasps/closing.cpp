@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/closing.h"
+
+#include <optional>
+#include <vector>
+
+#include "closing_problem.h"
+#include "least_squares.h"
+
+namespace graspdb {
+namespace {
+
+// Straightens each finger that starts inside the object, and takes the thumb aside, until they are
+// clear: closing then comes from outside, where the way to the surface is the right one.
+GraspPose opened(const ClosingProblem& problem, GraspPose pose) {
+  constexpr double kClear = 0.7e-3;  // metres of penetration that a start may have
+  constexpr double kShare = 0.9;
+  constexpr int kTries = 20;
+  for (int f = 0; f < kFingerCount; ++f) {
+    for (int i = 0; i < kTries && problem.penetration(f + 2, pose) > kClear; ++i) {
+      for (const FingerAngle joint : {kMcpFlexion, kPipFlexion, kDipFlexion}) {
+        pose.angles[finger_angle(f, joint)] *= kShare;
+      }
+    }
+  }
+  for (int i = 0; i < kTries && problem.penetration(1, pose) > kClear; ++i) {
+    pose.angles[kThumbCmcFlexion] -= radians(1);
+    pose.angles[kThumbCmcAbduction] += radians(2);
+    pose.angles[kThumbMcpFlexion] *= kShare;
+    pose.angles[kThumbIpFlexion] *= kShare;
+    pose.angles = clamp_to_range(pose.angles);
+  }
+  return pose;
+}
+
+// The thumb's way round an object is what goes wrong first: several are tried.
+std::vector<GraspPose> with_other_thumbs(const GraspPose& start) {
+  std::vector<GraspPose> starts;
+  for (const double flexion : {0.0, -12.0, 12.0}) {
+    for (const double abduction : {0.0, -10.0, 10.0}) {
+      GraspPose& other = starts.emplace_back(start);
+      other.angles[kThumbCmcFlexion] += radians(flexion);
+      other.angles[kThumbCmcAbduction] += radians(abduction);
+      other.angles = clamp_to_range(other.angles);
+    }
+  }
+  return starts;
+}
+
+Minimum close_from(const ClosingProblem& problem, const GraspPose& from, int iterations) {
+  return minimise([&](const Eigen::VectorXd& x) { return problem.residuals(x); },
+                  problem.pack(from), iterations);
+}
+
+}  // namespace
+
+GraspPose close_grasp(const Grasp& grasp, const Hand& hand) {
+  constexpr int kCoarseIterations = 60, kFineIterations = 15;
+  constexpr int kCoarseStride = 3;
+  const ClosingProblem coarse(grasp, hand, kCoarseStride);
+  std::optional<Minimum> best;
+  for (const GraspPose& start : with_other_thumbs(coarse.start())) {
+    const bool wraps = grasp.opposition == Opposition::kPalm;
+    const Minimum found =
+        close_from(coarse, wraps ? opened(coarse, start) : start, kCoarseIterations);
+    if (!best || found.cost < best->cost) best = found;
+  }
+  const ClosingProblem fine(grasp, hand, 1);
+  return fine.unpack(close_from(fine, coarse.unpack(best->x), kFineIterations).x);
+}
+
+}  // namespace graspdb

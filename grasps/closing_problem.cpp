@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "closing_problem.h"
+
+#include <algorithm>
+
+namespace graspdb {
+namespace {
+
+constexpr int kWristAngles = 2;
+constexpr int kFreeAngles = kAngleCount - kWristAngles;
+constexpr int kUnknowns = kFreeAngles + 6;
+constexpr double kTranslationUnit = 0.01;  // metres
+
+bool is_phalanx(int bone) {
+  return digit_of_bone(bone) > 0 && bone != kThumbMetacarpal;
+}
+
+bool is_distal(int bone) {
+  return is_phalanx(bone) && bone % 4 == kThumbDistal % 4;
+}
+
+// Digits overlap digits, and the palm is entered by tips alone.
+bool may_overlap(int a, int b) {
+  if (is_phalanx(a) && is_phalanx(b)) return digit_of_bone(a) != digit_of_bone(b);
+  return digit_of_bone(a) == 0 && a != kPalm && is_distal(b);
+}
+
+}  // namespace
+
+ClosingProblem::ClosingProblem(const Grasp& grasp, const Hand& hand, int stride)
+    : grasp_(grasp), hand_(hand), skin_(hand, stride), capsules_(hand), start_(grasp.start) {
+  for (const ContactArea& area : grasp.contacts) areas_.push_back({area, skin_.in_area(area)});
+  for (int a = 0; a < kBoneCount; ++a) {
+    for (int b = a + 1; b < kBoneCount; ++b) {
+      if (may_overlap(a, b) || may_overlap(b, a)) pairs_.emplace_back(a, b);
+    }
+  }
+  start_.hand_from_object.translation *= hand_length(hand.skeleton) / kReferenceHandLength;
+  contacts_to_object_ = start_.hand_from_object.translation;
+  if (grasp.from_contacts) place_between_contacts();
+}
+
+void ClosingProblem::place_between_contacts() {
+  RigidTransform& placed = start_.hand_from_object;
+  placed.translation.setZero();
+  placed.translation =
+      placed.rotation * opposed_contacts(pose(start_)).middle() + contacts_to_object_;
+  find_sides();
+}
+
+// A finger that has crossed a thin plate is not in it but behind it. So the thumb keeps to the side
+// of a thin object where it starts, and the others to the other one.
+void ClosingProblem::find_sides() {
+  constexpr double kThin = 0.4;  // share of the second smallest extent
+  Eigen::Vector3d extents = grasp_.object->half_extents();
+  const double thickness = extents.minCoeff(&thin_axis_);
+  extents[thin_axis_] = extents.maxCoeff();
+  if (thickness > kThin * extents.minCoeff()) return;
+  const Opposed contacts = opposed_contacts(pose(start_));
+  const double thumb_side = contacts.thumb[thin_axis_] < contacts.others[thin_axis_] ? -1 : 1;
+  for (const int digit : grasp_.required_digits) {
+    if (digit > 0) side_[static_cast<std::size_t>(digit)] = digit == 1 ? thumb_side : -thumb_side;
+  }
+}
+
+Eigen::VectorXd ClosingProblem::pack(const GraspPose& pose) const {
+  Eigen::VectorXd x(kUnknowns);
+  const RigidTransform& placed = pose.hand_from_object;
+  const RigidTransform& at_start = start_.hand_from_object;
+  x.head<kFreeAngles>() = pose.angles.tail<kFreeAngles>();
+  x.segment<3>(kFreeAngles) = (placed.translation - at_start.translation) / kTranslationUnit;
+  x.tail<3>() = vector_from_rotation(placed.rotation * at_start.rotation.transpose());
+  return x;
+}
+
+GraspPose ClosingProblem::unpack(const Eigen::VectorXd& x) const {
+  GraspPose pose = start_;
+  pose.angles.tail<kFreeAngles>() = x.head<kFreeAngles>();
+  pose.angles = clamp_to_range(pose.angles);
+  pose.hand_from_object.translation += kTranslationUnit * x.segment<3>(kFreeAngles);
+  pose.hand_from_object.rotation =
+      rotation_from_vector(x.tail<3>()) * start_.hand_from_object.rotation;
+  return pose;
+}
+
+ClosingProblem::Posed ClosingProblem::pose(const GraspPose& at) const {
+  Posed posed;
+  posed.bones = palm_from_bones(hand_.skeleton, at.angles);
+  posed.object_from_hand = at.hand_from_object.inverse();
+  posed.in_object = skin_.pose(posed.bones);
+  posed.distance.reserve(posed.in_object.size());
+  for (std::size_t i = 0; i < posed.in_object.size(); ++i) {
+    posed.in_object[i] = posed.object_from_hand * posed.in_object[i];
+    posed.distance.push_back(distance(skin_.samples()[i].digit, posed.in_object[i]));
+  }
+  return posed;
+}
+
+ClosingProblem::Opposed ClosingProblem::opposed_contacts(const Posed& posed) const {
+  std::array<Eigen::Vector3d, 2> sum = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  std::array<int, 2> count = {0, 0};
+  for (const Area& area : areas_) {
+    const std::size_t side = area.area.digit == 1 ? 0 : 1;
+    for (const int i : area.samples) sum[side] += posed.in_object[static_cast<std::size_t>(i)];
+    count[side] += static_cast<int>(area.samples.size());
+  }
+  return {sum[0] / std::max(1, count[0]), sum[1] / std::max(1, count[1])};
+}
+
+double ClosingProblem::distance(int digit, const Eigen::Vector3d& point) const {
+  const double direct = grasp_.object->distance(point);
+  const double side = side_[static_cast<std::size_t>(digit)];
+  if (side == 0) return direct;
+  Eigen::Vector3d flat = point;
+  flat[thin_axis_] = 0;
+  if (grasp_.object->distance(flat) > 0) return direct;  // beside the plate
+  return side * point[thin_axis_] - grasp_.object->half_extents()[thin_axis_];
+}
+
+Eigen::Vector3d ClosingProblem::away_from_object(int digit, const Eigen::Vector3d& point) const {
+  constexpr double kStep = 1e-5;  // metres
+  Eigen::Vector3d gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
+    gradient[axis] = (distance(digit, point + step) - distance(digit, point - step)) / (2 * kStep);
+  }
+  return gradient;
+}
+
+double ClosingProblem::penetration(int digit, const GraspPose& at) const {
+  const Posed posed = pose(at);
+  double deepest = 0;
+  for (std::size_t i = 0; i < posed.distance.size(); ++i) {
+    if (skin_.samples()[i].digit == digit) deepest = std::max(deepest, -posed.distance[i]);
+  }
+  return deepest;
+}
+
+Eigen::VectorXd ClosingProblem::residuals(const Eigen::VectorXd& x) const {
+  const GraspPose at = unpack(x);
+  const Posed posed = pose(at);
+  Costs r;
+  r.reserve(posed.distance.size() + 512);
+  add_contacts(posed, r);
+  add_penetration(posed, r);
+  add_free_digits(posed, r);
+  add_overlaps(posed, r);
+  add_opposition(posed, r);
+  add_angle_priors(x, at.angles, r);
+  add_placement_priors(x, posed, r);
+  return Eigen::Map<Eigen::VectorXd>(r.data(), static_cast<Eigen::Index>(r.size()));
+}
+
+}  // namespace graspdb

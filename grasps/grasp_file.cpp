@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+
+#include "angle_tables.h"
+#include "contact_areas.h"
+#include "graspdb/error.h"
+#include "graspdb/grasp.h"
+#include "graspdb/text.h"
+
+namespace graspdb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLargestMm = 1000;
+constexpr double kSmallestMm = 0.1;
+
+std::string one_of(const TomlTable& table, std::string_view key,
+                   const std::vector<std::string>& choices) {
+  const std::string value = table.string(key);
+  if (std::find(choices.begin(), choices.end(), value) == choices.end()) {
+    std::string expected;
+    for (const std::string& choice : choices) expected += (expected.empty() ? "" : ", ") + choice;
+    table.fail(key, expected, value);
+  }
+  return value;
+}
+
+Eigen::Vector3d vector_or(const TomlTable& table, std::string_view key,
+                          const Eigen::Vector3d& otherwise, double limit) {
+  if (!table.has(key)) return otherwise;
+  const std::vector<double> v = table.numbers(key, 3, -limit, limit);
+  return {v[0], v[1], v[2]};
+}
+
+int digit_named(const TomlTable& table, std::string_view key, const std::string& name) {
+  const auto digit = digit_from_name(name);
+  if (!digit) table.fail(key, "palm, thumb, index, middle, ring or little", name);
+  return *digit;
+}
+
+// ["palm", "index+middle"] -> {{0}, {2, 3}}
+std::vector<std::vector<int>> read_virtual_fingers(const TomlTable& table) {
+  std::vector<std::vector<int>> fingers;
+  for (const std::string& text : table.strings("virtual_fingers")) {
+    std::vector<int>& finger = fingers.emplace_back();
+    for (std::size_t start = 0; start <= text.size();) {
+      const std::size_t end = std::min(text.find('+', start), text.size());
+      finger.push_back(digit_named(table, "virtual_fingers", text.substr(start, end - start)));
+      start = end + 1;
+    }
+  }
+  return fingers;
+}
+
+void read_taxonomy(const TomlTable& table, Grasp& grasp) {
+  grasp.type = one_of(table, "type", {"power", "intermediate", "precision"});
+  const std::string opposition = one_of(table, "opposition", {"palm", "pad", "side"});
+  grasp.opposition = opposition == "palm"  ? Opposition::kPalm
+                     : opposition == "pad" ? Opposition::kPad
+                                           : Opposition::kSide;
+  grasp.virtual_fingers = read_virtual_fingers(table);
+  grasp.thumb_abducted = one_of(table, "thumb", {"abducted", "adducted"}) == "abducted";
+  table.finish();
+}
+
+void read_touch(const TomlTable& table, Grasp& grasp) {
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    const std::string key(kDigitNames[static_cast<std::size_t>(digit)]);
+    if (!table.has(key)) continue;
+    grasp.required_digits.push_back(digit);
+    for (const std::string& name : table.strings(key)) {
+      const auto area = contact_area(digit, name);
+      if (!area) table.fail(key, "some of " + contact_area_names(digit), name);
+      grasp.contacts.push_back(*area);
+    }
+  }
+  if (table.has("free")) {
+    for (const std::string& name : table.strings("free")) {
+      grasp.free_digits.push_back(digit_named(table, "free", name));
+    }
+  }
+  for (const int digit : grasp.free_digits) {
+    if (std::count(grasp.required_digits.begin(), grasp.required_digits.end(), digit) != 0) {
+      table.fail("free", "digits that touch nothing",
+                 std::string(kDigitNames[static_cast<std::size_t>(digit)]) + ", which touches");
+    }
+  }
+  table.finish();
+}
+
+// The digits that the taxonomy lets act must be among those that are brought to the object.
+void require_virtual_fingers_touch(const TomlTable& file, const Grasp& grasp) {
+  for (const std::vector<int>& finger : grasp.virtual_fingers) {
+    for (const int digit : finger) {
+      if (std::count(grasp.required_digits.begin(), grasp.required_digits.end(), digit) == 0) {
+        const std::string name(kDigitNames[static_cast<std::size_t>(digit)]);
+        file.fail("touch", name + ", which taxonomy.virtual_fingers names", "no " + name);
+      }
+    }
+  }
+}
+
+std::shared_ptr<const Solid> read_solid(const TomlTable& table) {
+  const std::string shape = one_of(table, "shape", {"sphere", "cylinder", "box"});
+  const auto metres = [&](std::string_view key) {
+    return table.number(key, kSmallestMm, kLargestMm) / 1000;
+  };
+  if (shape == "sphere") return make_sphere(metres("diameter_mm"));
+  if (shape == "cylinder") return make_cylinder(metres("diameter_mm"), metres("length_mm"));
+  const std::vector<double> size = table.numbers("size_mm", 3, kSmallestMm, kLargestMm);
+  return make_box(Eigen::Vector3d(size[0], size[1], size[2]) / 1000);
+}
+
+// The rotation whose z axis is `z` and whose x axis is as near to `x` as it can be.
+Eigen::Matrix3d rotation_from_axes(const TomlTable& table, const Eigen::Vector3d& z,
+                                   const Eigen::Vector3d& x) {
+  if (z.norm() < 1e-6) table.fail("z_axis", "a direction", "a zero vector");
+  Eigen::Matrix3d rotation;
+  rotation.col(2) = z.normalized();
+  const Eigen::Vector3d y = rotation.col(2).cross(x);
+  if (y.norm() < 1e-6) table.fail("x_axis", "a direction that differs from z_axis", "none");
+  rotation.col(1) = y.normalized();
+  rotation.col(0) = rotation.col(1).cross(rotation.col(2));
+  return rotation;
+}
+
+void read_object(const TomlTable& table, Grasp& grasp) {
+  grasp.object_name = table.string("name");
+  grasp.object = read_solid(table);
+  const Eigen::Vector3d z = vector_or(table, "z_axis", Eigen::Vector3d::UnitZ(), kLargestMm);
+  const Eigen::Vector3d any =
+      std::abs(z.normalized().x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d x = vector_or(table, "x_axis", any, kLargestMm);
+  grasp.start.hand_from_object.rotation = rotation_from_axes(table, z, x);
+  grasp.from_contacts = table.has("from_contacts_mm") && !table.has("position_mm");
+  const std::vector<double> p = table.numbers(
+      grasp.from_contacts ? "from_contacts_mm" : "position_mm", 3, -kLargestMm, kLargestMm);
+  grasp.start.hand_from_object.translation = Eigen::Vector3d(p[0], p[1], p[2]) / 1000;
+  grasp.approach = vector_or(table, "approach_mm", Eigen::Vector3d::Zero(), kLargestMm) / 1000;
+  table.finish();
+}
+
+constexpr double kRangeSlack = 1e-9;
+
+void require_faded_ranges(const TomlTable& table, const JointAngles& angles) {
+  const JointAngles clamped = clamp_to_range(angles);
+  for (int i = 0; i < kAngleCount; ++i) {
+    if (std::abs(angles[i] - clamped[i]) <= kRangeSlack) continue;
+    table.fail(angle_info(i).name,
+               "at most " + std::to_string(degrees(clamped[i])) + " degrees at this flexion",
+               std::to_string(degrees(angles[i])));
+  }
+}
+
+JointAngles read_checked_angles(const TomlTable& table) {
+  const JointAngles angles = read_angles(table);
+  require_faded_ranges(table, angles);
+  return angles;
+}
+
+}  // namespace
+
+Grasp load_grasp(const fs::path& path) {
+  const TomlTable file = TomlTable::load(path);
+  Grasp grasp;
+  grasp.file = path;
+  grasp.id = file.integer("number", 1, 65535);
+  grasp.name = file.string("name");
+  read_taxonomy(file.table("taxonomy"), grasp);
+  read_touch(file.table("touch"), grasp);
+  require_virtual_fingers_touch(file, grasp);
+  read_object(file.table("object"), grasp);
+  const TomlTable start = file.table("start");
+  grasp.start.angles = read_checked_angles(start);
+  start.finish();
+  file.finish();
+  return grasp;
+}
+
+std::vector<Grasp> load_grasps(const fs::path& directory) {
+  if (!fs::is_directory(directory)) {
+    throw Error({.file = directory.string(), .expected = "a folder of grasps", .found = "none"});
+  }
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+    const fs::path& path = entry.path();
+    if (path.extension() == ".toml" && path.filename() != "rest.toml") files.insert(path);
+  }
+  std::vector<Grasp> grasps;
+  for (const fs::path& path : files) grasps.push_back(load_grasp(path));
+  std::stable_sort(grasps.begin(), grasps.end(),
+                   [](const Grasp& a, const Grasp& b) { return a.id < b.id; });
+  for (std::size_t i = 1; i < grasps.size(); ++i) {
+    if (grasps[i].id != grasps[i - 1].id) continue;
+    throw Error({.file = grasps[i].file.string(),
+                 .key = "number",
+                 .expected = "a number of its own",
+                 .found = std::to_string(grasps[i].id) + ", as in " + grasps[i - 1].file.string()});
+  }
+  return grasps;
+}
+
+JointAngles load_rest_pose(const fs::path& directory) {
+  const TomlTable file = TomlTable::load(directory / "rest.toml");
+  const JointAngles angles = read_checked_angles(file);
+  file.finish();
+  return angles;
+}
+
+}  // namespace graspdb

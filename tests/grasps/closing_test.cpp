@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/closing.h"
+
+#include <gtest/gtest.h>
+
+#include "graspdb/rig.h"
+#include "support/toy_hand.h"
+
+namespace graspdb {
+namespace {
+
+const std::filesystem::path kGrasps = GRASPDB_SOURCE_DIR "/grasps";
+
+Grasp power_sphere() {
+  return load_grasp(kGrasps / "11_power_sphere.toml");
+}
+
+TEST(Closing, ToyHandHoldsABallWithoutEnteringIt) {
+  const Hand hand = testing::toy_hand();
+  Grasp grasp = power_sphere();
+  grasp.approach.setZero();  // this is about the last step
+  const GraspPose closed = close_grasp(grasp, hand);
+  const GraspCheck check = check_grasp(grasp, hand, closed.angles, closed);
+  EXPECT_LT(check.steps.back().penetration_mm, 1.5);
+  EXPECT_EQ(check.steps.back().clearance_mm, 0);
+  EXPECT_GE(check.steps.back().contacts.size(), 9U);
+  EXPECT_TRUE(check.pass) << check.failures.front();
+}
+
+TEST(Closing, StaysInsideTheRangesAndKeepsTheWrist) {
+  const Grasp grasp = power_sphere();
+  const GraspPose closed = close_grasp(grasp, testing::toy_hand());
+  EXPECT_LT(range_excess(closed.angles), 1e-12);
+  EXPECT_EQ(closed.angles[kWristFlexion], grasp.start.angles[kWristFlexion]);
+  EXPECT_EQ(closed.angles[kWristDeviation], grasp.start.angles[kWristDeviation]);
+}
+
+TEST(Closing, GivesTheSameBitsTwice) {
+  const Hand hand = testing::toy_hand();
+  const GraspPose a = close_grasp(power_sphere(), hand), b = close_grasp(power_sphere(), hand);
+  EXPECT_EQ(a.angles, b.angles);
+  EXPECT_EQ(a.hand_from_object.rotation, b.hand_from_object.rotation);
+  EXPECT_EQ(a.hand_from_object.translation, b.hand_from_object.translation);
+}
+
+TEST(Closing, AgreesWithTheCommittedPoseToATenthOfAMillimetre) {
+  const Hand hand = load_hand(GRASPDB_SOURCE_DIR "/assets/hands/male.glb");
+  const Grasp grasp = load_grasp(kGrasps / "09_palmar_pinch.toml");
+  const GraspPose committed = load_closed_poses(kGrasps / "closed/male.toml").at(9);
+  const GraspPose closed = close_grasp(grasp, hand);
+  const Mesh a = pose_skin(hand, closed.angles), b = pose_skin(hand, committed.angles);
+  for (std::size_t v = 0; v < a.vertices.size(); ++v) {
+    ASSERT_LT((a.vertices[v] - b.vertices[v]).norm(), 1e-4F);
+  }
+  for (const Eigen::Vector3f& v : grasp.object->mesh().vertices) {
+    const Eigen::Vector3d p = v.cast<double>();
+    ASSERT_LT((closed.hand_from_object * p - committed.hand_from_object * p).norm(), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace graspdb

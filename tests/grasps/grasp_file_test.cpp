@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <fstream>
+
+#include "graspdb/error.h"
+#include "graspdb/grasp.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string kGood = R"(number = 101
+name = "Jar Hold"
+
+[taxonomy]
+type = "power"
+opposition = "palm"
+virtual_fingers = ["palm", "index+middle"]
+thumb = "abducted"
+
+[touch]
+palm = ["hollow"]
+index = ["pulp", "middle_radial"]
+middle = ["pulp"]
+free = ["little"]
+
+[object]
+name = "jar"
+shape = "cylinder"
+diameter_mm = 60
+length_mm = 90
+position_mm = [5, 80, -45]
+z_axis = [2, 0, 0]
+x_axis = [0.5, 3, 0]
+approach_mm = [0, 0, -20]
+
+[start]
+wrist_deg = { flexion = -20 }
+thumb_deg = { cmc_abduction = 45, ip = 10 }
+index_deg = { mcp = 40, abduction = 5, pip = 50, dip = 25 }
+)";
+
+class GraspFile : public ::testing::Test {
+ protected:
+  Grasp load(const std::string& text) {
+    const auto path = folder_ / "jar.toml";
+    std::ofstream(path) << text;
+    return load_grasp(path);
+  }
+  // The message of the Error for the good file with `part` replaced.
+  std::string refusal(const std::string& part, const std::string& other) {
+    std::string text = kGood;
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    text.replace(at, part.size(), other);
+    try {
+      load(text);
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("jar.toml"));
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  testing::TemporaryDirectory folder_;
+};
+
+TEST_F(GraspFile, SaysWhatAGraspIs) {
+  const Grasp grasp = load(kGood);
+  EXPECT_EQ(grasp.id, 101);
+  EXPECT_EQ(grasp.name, "Jar Hold");
+  EXPECT_EQ(grasp.type, "power");
+  EXPECT_EQ(grasp.opposition, Opposition::kPalm);
+  EXPECT_TRUE(grasp.thumb_abducted);
+  EXPECT_THAT(grasp.virtual_fingers, ElementsAre(ElementsAre(0), ElementsAre(2, 3)));
+  EXPECT_THAT(grasp.required_digits, ElementsAre(0, 2, 3));
+  EXPECT_THAT(grasp.free_digits, ElementsAre(5));
+  EXPECT_EQ(grasp.contacts.size(), 4U);
+  EXPECT_EQ(grasp.contacts[2].side, SkinSide::kRadial);
+}
+
+TEST_F(GraspFile, AnglesAndSizesComeInSiUnits) {
+  const Grasp grasp = load(kGood);
+  EXPECT_NEAR(grasp.start.angles[kWristFlexion], radians(-20), 1e-12);
+  EXPECT_NEAR(grasp.start.angles[finger_angle(0, kPipFlexion)], radians(50), 1e-12);
+  EXPECT_EQ(grasp.start.angles[finger_angle(3, kPipFlexion)], 0);
+  EXPECT_EQ(grasp.object->half_extents(), Eigen::Vector3d(0.03, 0.03, 0.045));
+  EXPECT_TRUE(grasp.approach.isApprox(Eigen::Vector3d(0, 0, -0.02)));
+}
+
+TEST_F(GraspFile, ObjectLiesAlongItsAxes) {
+  const RigidTransform placed = load(kGood).start.hand_from_object;
+  EXPECT_TRUE(placed.translation.isApprox(Eigen::Vector3d(0.005, 0.08, -0.045)));
+  EXPECT_TRUE(placed.rotation.col(2).isApprox(Eigen::Vector3d::UnitX()));
+  EXPECT_TRUE(placed.rotation.col(0).isApprox(Eigen::Vector3d::UnitY()));
+  EXPECT_NEAR(placed.rotation.determinant(), 1, 1e-12);
+}
+
+TEST_F(GraspFile, RefusesWhatItDoesNotKnow) {
+  EXPECT_THAT(refusal("name = \"Jar Hold\"", "name = \"x\"\ncolour = 1"), HasSubstr("colour"));
+  EXPECT_THAT(refusal("ip = 10", "pip = 10"), HasSubstr("start.thumb_deg.pip"));
+  EXPECT_THAT(refusal("index_deg", "index"), HasSubstr("start.index"));
+  EXPECT_THAT(refusal("\"cylinder\"", "\"torus\""), HasSubstr("object.shape"));
+  EXPECT_THAT(refusal("\"middle_radial\"", "\"knuckle\""), HasSubstr("knuckle"));
+  EXPECT_THAT(refusal("\"index+middle\"", "\"index+toe\""), HasSubstr("toe"));
+  EXPECT_THAT(refusal("\"power\"", "\"strong\""), HasSubstr("strong"));
+}
+
+TEST_F(GraspFile, RefusesASizeWithoutItsUnit) {
+  EXPECT_THAT(refusal("diameter_mm = 60", "diameter = 60"), HasSubstr("object.diameter_mm"));
+  EXPECT_THAT(refusal("position_mm", "position"), HasSubstr("object.position_mm"));
+}
+
+TEST_F(GraspFile, RefusesValuesOutOfRange) {
+  EXPECT_THAT(refusal("mcp = 40", "mcp = 140"), HasSubstr("start.index_deg.mcp"));
+  EXPECT_THAT(refusal("flexion = -20", "flexion = -90"), HasSubstr("-70"));
+  EXPECT_THAT(refusal("diameter_mm = 60", "diameter_mm = -60"), HasSubstr("diameter_mm"));
+  EXPECT_THAT(refusal("number = 101", "number = 0"), HasSubstr("number"));
+}
+
+TEST_F(GraspFile, RefusesAbductionThatTheFlexionDoesNotAllow) {
+  EXPECT_THAT(refusal("mcp = 40, abduction = 5", "mcp = 80, abduction = 5"),
+              HasSubstr("index_mcp_abduction"));
+}
+
+TEST_F(GraspFile, RefusesAVirtualFingerThatTouchesNothing) {
+  EXPECT_THAT(refusal("\"index+middle\"", "\"index+ring\""), HasSubstr("ring"));
+}
+
+TEST_F(GraspFile, RefusesAFreeDigitThatTouches) {
+  EXPECT_THAT(refusal("\"little\"", "\"index\""), HasSubstr("touch.free"));
+}
+
+TEST_F(GraspFile, RefusesAxesThatAreNone) {
+  EXPECT_THAT(refusal("z_axis = [2, 0, 0]", "z_axis = [0, 0, 0]"), HasSubstr("z_axis"));
+  EXPECT_THAT(refusal("x_axis = [0.5, 3, 0]", "x_axis = [1, 0, 0]"), HasSubstr("x_axis"));
+}
+
+TEST_F(GraspFile, RefusesTwoGraspsOfOneNumber) {
+  std::ofstream(folder_ / "a.toml") << kGood;
+  std::ofstream(folder_ / "b.toml") << kGood;
+  EXPECT_THROW(load_grasps(folder_.path()), Error);
+}
+
+TEST_F(GraspFile, RefusesAFolderThatIsNone) {
+  EXPECT_THROW(load_grasps(folder_ / "nowhere"), Error);
+}
+
+TEST(CommittedGrasps, LoadInTheOrderOfTheirNumbers) {
+  const std::vector<Grasp> grasps = load_grasps(GRASPDB_SOURCE_DIR "/grasps");
+  std::vector<int> ids;
+  for (const Grasp& grasp : grasps) ids.push_back(grasp.id);
+  EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+  for (const int id : {1, 3, 9, 11, 14, 16, 22}) EXPECT_THAT(ids, ::testing::Contains(id));
+}
+
+TEST(CommittedGrasps, RestPoseIsWithinTheRanges) {
+  const JointAngles rest = load_rest_pose(GRASPDB_SOURCE_DIR "/grasps");
+  EXPECT_EQ(range_excess(rest), 0);
+  EXPECT_GT(rest.norm(), 0.5);
+}
+
+}  // namespace
+}  // namespace graspdb
