@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Pictures of grasps for people to look at.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "graspdb/closing.h"
+#include "graspdb/grasp.h"
+#include "graspdb/hand.h"
+#include "graspdb/image.h"
+
+namespace graspdb {
+
+// One closed grasp from six sides, and below it the steps from rest to closed, from the thumb's
+// side.
+ColorImage draw_grasp_sheet(const Hand& hand, const Grasp& grasp, const JointAngles& rest,
+                            const GraspPose& closed);
+
+// One closed grasp a tile, from the two sides that tell most; with number and name unless `plain`.
+// Every grasp must have its pose.
+ColorImage draw_grasp_page(const Hand& hand, const std::vector<Grasp>& grasps,
+                           const std::map<int, GraspPose>& closed, bool plain);
+
+}  // namespace graspdb
