@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "graspdb/closing.h"
@@ -39,22 +40,67 @@ Scenery pose_scenery(const Grasp& grasp, const Hand& hand, const GraspPose& pose
   return scenery;
 }
 
-double object_in_hand(const Grasp& grasp, const Scenery& scenery, const GraspPose& pose) {
-  const InsideTest inside(scenery.skin);
+struct Bounds {
+  Eigen::Vector3f low, high;
+  bool contain(const Eigen::Vector3f& p) const {
+    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+  }
+};
+
+Bounds bounds(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  Bounds box{Eigen::Vector3f::Constant(infinity), Eigen::Vector3f::Constant(-infinity)};
+  for (const std::uint32_t v : vertices) {
+    box.low = box.low.cwiseMin(mesh.vertices[v]);
+    box.high = box.high.cwiseMax(mesh.vertices[v]);
+  }
+  return box;
+}
+
+double object_in_hand(const Grasp& grasp, const Scenery& scenery, const InsideTest& in_hand,
+                      const GraspPose& pose) {
   double deepest = 0;
-  for (const Eigen::Vector3d& p : surface_points(grasp.object->mesh(), kSampleSpacing)) {
-    const Eigen::Vector3d in_hand = pose.hand_from_object * p;
-    if (inside.depth_along_z(in_hand) <= deepest) continue;
-    deepest = std::max(deepest, distance_to_triangles(scenery.skin, scenery.skin.triangles, in_hand,
-                                                      kReach, deepest));
+  for (const Eigen::Vector3d& on_object : surface_points(grasp.object->mesh(), kSampleSpacing)) {
+    const Eigen::Vector3d p = pose.hand_from_object * on_object;
+    if (in_hand.depth_along_z(p) <= deepest) continue;
+    deepest = std::max(
+        deepest, distance_to_triangles(scenery.skin, scenery.skin.triangles, p, kReach, deepest));
   }
   return deepest;
 }
 
-double penetration(const Grasp& grasp, const Scenery& scenery, const GraspPose& pose) {
-  const double hand_in_object =
-      -*std::min_element(scenery.to_object.begin(), scenery.to_object.end());
-  return std::max({0.0, hand_in_object, object_in_hand(grasp, scenery, pose)});
+double hand_in_object(const Scenery& scenery) {
+  return -*std::min_element(scenery.to_object.begin(), scenery.to_object.end());
+}
+
+// What hand and object have in common, cubic metres, by a grid over the skin's box. Skin is nowhere
+// deeper in the object than `deepest`.
+double shared_volume(const Grasp& grasp, const Scenery& scenery, const InsideTest& in_hand,
+                     const GraspPose& pose, double deepest) {
+  constexpr double kGrid = 0.00125;  // metres
+  const RigidTransform object_from_hand = pose.hand_from_object.inverse();
+  std::vector<std::uint32_t> all(scenery.skin.vertices.size());
+  std::iota(all.begin(), all.end(), 0U);
+  const Bounds box = bounds(scenery.skin, all);
+  const Eigen::Vector3d low = box.low.cast<double>();
+  const Eigen::Vector3i count = ((box.high - box.low) / kGrid).cast<int>();
+  std::size_t shared = 0;
+  for (int x = 0; x <= count.x(); ++x) {
+    for (int y = 0; y <= count.y(); ++y) {
+      for (int z = 0; z <= count.z(); ++z) {
+        const Eigen::Vector3d p = low + kGrid * Eigen::Vector3d(x, y, z);
+        const double distance = grasp.object->distance(object_from_hand * p);
+        if (distance < -deepest - kGrid) continue;
+        // Nothing is within the distance: leap.
+        if (distance > kGrid) {
+          z += static_cast<int>(distance / kGrid) - 1;
+        } else if (distance < 0 && in_hand.depth_along_z(p) > 0) {
+          ++shared;
+        }
+      }
+    }
+  }
+  return static_cast<double>(shared) * kGrid * kGrid * kGrid;
 }
 
 bool is_phalanx(int bone) {
@@ -80,23 +126,6 @@ Tube phalanges(const Hand& hand, int digit) {
     if (std::all_of(t.begin(), t.end(), belongs)) tube.triangles.push_back(t);
   }
   return tube;
-}
-
-struct Bounds {
-  Eigen::Vector3f low, high;
-  bool contain(const Eigen::Vector3f& p) const {
-    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
-  }
-};
-
-Bounds bounds(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
-  const float infinity = std::numeric_limits<float>::infinity();
-  Bounds box{Eigen::Vector3f::Constant(infinity), Eigen::Vector3f::Constant(-infinity)};
-  for (const std::uint32_t v : vertices) {
-    box.low = box.low.cwiseMin(mesh.vertices[v]);
-    box.high = box.high.cwiseMax(mesh.vertices[v]);
-  }
-  return box;
 }
 
 // Skin is behind the tube's nearest vertex when it may be inside: a quick sieve.
@@ -182,6 +211,23 @@ void check_ranges(const JointAngles& angles, GraspCheck& check) {
   }
 }
 
+StepCheck measure(const Grasp& grasp, const Hand& hand, const std::vector<Tube>& digits,
+                  const Scenery& scenery, const GraspPose& pose) {
+  const InsideTest in_hand(scenery.skin);
+  const double skin_depth = hand_in_object(scenery);
+  const double object_depth = object_in_hand(grasp, scenery, in_hand, pose);
+  const double penetration = std::max({0.0, skin_depth, object_depth});
+  StepCheck step;
+  step.penetration_mm = penetration * kMillimetre;
+  if (penetration > 0) {
+    step.volume_cm3 = shared_volume(grasp, scenery, in_hand, pose, penetration) * 1e6;
+  }
+  step.self_penetration_mm = deepest_overlap(scenery.skin, digits) * kMillimetre;
+  step.clearance_mm = std::max(0.0, -skin_depth) * kMillimetre;
+  step.contacts = touching_bones(hand, scenery);
+  return step;
+}
+
 void check_step(const StepCheck& step, GraspCheck& check) {
   if (step.penetration_mm > kGateMm) {
     check.failures.push_back(
@@ -204,10 +250,8 @@ GraspCheck check_grasp(const Grasp& grasp, const Hand& hand, const JointAngles& 
   for (int number = 1; number <= kStepCount; ++number) {
     const GraspPose pose = pose_at_step(grasp, rest, closed, number);
     const Scenery scenery = pose_scenery(grasp, hand, pose);
-    const double nearest = *std::min_element(scenery.to_object.begin(), scenery.to_object.end());
-    check.steps.push_back({number, penetration(grasp, scenery, pose) * kMillimetre,
-                           deepest_overlap(scenery.skin, digits) * kMillimetre,
-                           std::max(0.0, nearest) * kMillimetre, touching_bones(hand, scenery)});
+    check.steps.push_back(measure(grasp, hand, digits, scenery, pose));
+    check.steps.back().step = number;
     check_step(check.steps.back(), check);
     if (number == kStepCount) check_contacts(grasp, scenery, check);
   }

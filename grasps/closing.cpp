@@ -36,7 +36,7 @@ GraspPose opened(const ClosingProblem& problem, GraspPose pose) {
 // The thumb's way round an object is what goes wrong first: several are tried.
 std::vector<GraspPose> with_other_thumbs(const GraspPose& start) {
   std::vector<GraspPose> starts;
-  for (const double flexion : {0.0, -12.0, 12.0}) {
+  for (const double flexion : {0.0, -15.0, 15.0}) {
     for (const double abduction : {0.0, -10.0, 10.0}) {
       GraspPose& other = starts.emplace_back(start);
       other.angles[kThumbCmcFlexion] += radians(flexion);
@@ -55,15 +55,21 @@ Minimum close_from(const ClosingProblem& problem, const GraspPose& from, int ite
 }  // namespace
 
 GraspPose close_grasp(const Grasp& grasp, const Hand& hand) {
-  constexpr int kCoarseIterations = 60, kFineIterations = 15;
+  constexpr int kYieldingIterations = 20, kCoarseIterations = 60, kFineIterations = 15;
   constexpr int kCoarseStride = 3;
+  constexpr double kYielding = 8e-3;  // metres: about the radius of a finger
+  // Flesh that yields at first lets thumb, fingers and object sort out who passes on which side.
+  const ClosingProblem yielding(grasp, hand, kCoarseStride, kYielding);
   const ClosingProblem coarse(grasp, hand, kCoarseStride);
   std::optional<Minimum> best;
-  for (const GraspPose& start : with_other_thumbs(coarse.start())) {
-    const bool wraps = grasp.opposition == Opposition::kPalm;
-    const Minimum found =
-        close_from(coarse, wraps ? opened(coarse, start) : start, kCoarseIterations);
+  const auto try_from = [&](const GraspPose& start) {
+    const Minimum found = close_from(coarse, start, kCoarseIterations);
     if (!best || found.cost < best->cost) best = found;
+  };
+  for (const GraspPose& thumb : with_other_thumbs(coarse.start())) {
+    const GraspPose start = grasp.opposition == Opposition::kPalm ? opened(coarse, thumb) : thumb;
+    try_from(start);
+    try_from(yielding.unpack(close_from(yielding, start, kYieldingIterations).x));
   }
   const ClosingProblem fine(grasp, hand, 1);
   return fine.unpack(close_from(fine, coarse.unpack(best->x), kFineIterations).x);

@@ -66,7 +66,7 @@ void ClosingProblem::add_penetration(const Posed& posed, Costs& r) const {
   constexpr double kSoftTissue = 0.5e-3;  // metres
   constexpr double kWeight = 3;
   for (const double distance : posed.distance) {
-    r.push_back(kWeight * std::max(0.0, -distance - kSoftTissue) * kMillimetre);
+    r.push_back(kWeight * std::max(0.0, -distance - kSoftTissue - give_) * kMillimetre);
   }
 }
 
@@ -82,13 +82,13 @@ void ClosingProblem::add_free_digits(const Posed& posed, Costs& r) const {
 }
 
 void ClosingProblem::add_overlaps(const Posed& posed, Costs& r) const {
-  constexpr double kSlack = 0.5e-3;  // metres: flesh gives way, and capsules are coarse
+  constexpr double kMargin = 0.3e-3;  // metres: capsules are round, fingers are not
   constexpr double kWeight = 3;
   const PerBone<Capsule> capsules = capsules_.pose(posed.bones);
   for (const auto& [a, b] : pairs_) {
     const double overlap = -graspdb::distance(capsules[static_cast<std::size_t>(a)],
                                               capsules[static_cast<std::size_t>(b)]);
-    r.push_back(kWeight * std::max(0.0, overlap - kSlack) * kMillimetre);
+    r.push_back(kWeight * std::max(0.0, overlap + kMargin - give_) * kMillimetre);
   }
 }
 

@@ -27,8 +27,13 @@ bool may_overlap(int a, int b) {
 
 }  // namespace
 
-ClosingProblem::ClosingProblem(const Grasp& grasp, const Hand& hand, int stride)
-    : grasp_(grasp), hand_(hand), skin_(hand, stride), capsules_(hand), start_(grasp.start) {
+ClosingProblem::ClosingProblem(const Grasp& grasp, const Hand& hand, int stride, double give)
+    : grasp_(grasp),
+      hand_(hand),
+      give_(give),
+      skin_(hand, stride),
+      capsules_(hand),
+      start_(grasp.start) {
   for (const ContactArea& area : grasp.contacts) areas_.push_back({area, skin_.in_area(area)});
   for (int a = 0; a < kBoneCount; ++a) {
     for (int b = a + 1; b < kBoneCount; ++b) {

@@ -17,8 +17,9 @@ namespace graspdb {
 
 class ClosingProblem {
  public:
-  // Looks at one skin vertex in `stride`. Keeps references to grasp and hand.
-  ClosingProblem(const Grasp& grasp, const Hand& hand, int stride);
+  // Looks at one skin vertex in `stride`. Skin may be `give` metres deeper in objects and other
+  // digits than it should before that costs. Keeps references to grasp and hand.
+  ClosingProblem(const Grasp& grasp, const Hand& hand, int stride, double give = 0);
 
   // The file's start on this hand.
   const GraspPose& start() const { return start_; }
@@ -67,6 +68,7 @@ class ClosingProblem {
 
   const Grasp& grasp_;
   const Hand& hand_;
+  double give_;
   SkinSamples skin_;
   DigitCapsules capsules_;
   GraspPose start_;

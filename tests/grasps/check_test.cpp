@@ -53,6 +53,18 @@ TEST_F(Check, FindsAThinObjectInTheHand) {
   EXPECT_GT(check_grasp(grasp_, male(), rest_, closed_).steps.back().penetration_mm, 5);
 }
 
+TEST_F(Check, MeasuresTheVolumeThatHandAndObjectShare) {
+  const RigidTransform in_the_forearm = {Eigen::Matrix3d::Identity(), {0, -0.06, 0}};
+  grasp_.object = make_sphere(0.02);
+  closed_.angles[kWristFlexion] = 0;
+  closed_.hand_from_object = in_the_forearm;
+  const StepCheck step = check_grasp(grasp_, male(), rest_, closed_).steps.back();
+  EXPECT_NEAR(step.volume_cm3, 4.0 / 3 * kPi, 0.1);
+  grasp_.object = make_sphere(0.4);
+  closed_.hand_from_object.translation = {0, 0, -0.4};
+  EXPECT_EQ(check_grasp(grasp_, male(), rest_, closed_).steps.back().volume_cm3, 0);
+}
+
 TEST_F(Check, FindsAnObjectInTheWayOfAnEarlierStep) {
   grasp_.approach = {0, 0, 0.08};  // through the palm
   EXPECT_THAT(failures(), Contains(HasSubstr("step 2: hand and object overlap")));

@@ -19,6 +19,7 @@ struct StepCheck {
   int step = 0;
   // Deepest, of hand samples in the object and of object samples in the hand.
   double penetration_mm = 0;
+  double volume_cm3 = 0;              // that hand and object share
   double self_penetration_mm = 0;     // deepest overlap between different digits
   double clearance_mm = 0;            // from the hand's skin to the object, 0 when they touch
   std::vector<std::string> contacts;  // bones with skin within 2 mm of the object
