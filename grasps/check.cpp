@@ -172,6 +172,7 @@ std::vector<std::string> touching_bones(const Hand& hand, const Scenery& scenery
     if (scenery.to_object[v] * kMillimetre <= kGateMm) touching.insert(bones[v]);
   }
   std::vector<std::string> names;
+  names.reserve(touching.size());
   for (const std::uint8_t bone : touching) names.emplace_back(bone_name(bone));
   return names;
 }

@@ -19,7 +19,7 @@ constexpr double kSmallestMm = 0.1;
 
 std::string one_of(const TomlTable& table, std::string_view key,
                    const std::vector<std::string>& choices) {
-  const std::string value = table.string(key);
+  std::string value = table.string(key);
   if (std::find(choices.begin(), choices.end(), value) == choices.end()) {
     std::string expected;
     for (const std::string& choice : choices) expected += (expected.empty() ? "" : ", ") + choice;
@@ -156,7 +156,7 @@ void require_faded_ranges(const TomlTable& table, const JointAngles& angles) {
 }
 
 JointAngles read_checked_angles(const TomlTable& table) {
-  const JointAngles angles = read_angles(table);
+  JointAngles angles = read_angles(table);
   require_faded_ranges(table, angles);
   return angles;
 }
@@ -190,6 +190,7 @@ std::vector<Grasp> load_grasps(const fs::path& directory) {
     if (path.extension() == ".toml" && path.filename() != "rest.toml") files.insert(path);
   }
   std::vector<Grasp> grasps;
+  grasps.reserve(files.size());
   for (const fs::path& path : files) grasps.push_back(load_grasp(path));
   std::stable_sort(grasps.begin(), grasps.end(),
                    [](const Grasp& a, const Grasp& b) { return a.id < b.id; });
@@ -205,7 +206,7 @@ std::vector<Grasp> load_grasps(const fs::path& directory) {
 
 JointAngles load_rest_pose(const fs::path& directory) {
   const TomlTable file = TomlTable::load(directory / "rest.toml");
-  const JointAngles angles = read_checked_angles(file);
+  JointAngles angles = read_checked_angles(file);
   file.finish();
   return angles;
 }

@@ -137,10 +137,15 @@ InsideTest::InsideTest(const Mesh& mesh) : mesh_(mesh) {
     const Eigen::Vector3d to = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
     for (int y = column(from.y(), 1); y <= column(to.y(), 1); ++y) {
       for (int x = column(from.x(), 0); x <= column(to.x(), 0); ++x) {
-        cells_[static_cast<std::size_t>(y * columns_ + x)].push_back(t);
+        cells_[cell(x, y)].push_back(t);
       }
     }
   }
+}
+
+std::size_t InsideTest::cell(int x, int y) const {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(x);
 }
 
 int InsideTest::column(double value, int axis) const {
@@ -154,7 +159,7 @@ double InsideTest::depth_along_z(const Eigen::Vector3d& at) const {
   if (x < 0 || y < 0 || x >= columns_ || y >= rows_) return 0;
   int leaving = 0;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t t : cells_[static_cast<std::size_t>(y * columns_ + x)]) {
+  for (const std::uint32_t t : cells_[cell(x, y)]) {
     const auto [height, sign] = crossing(point, corners(mesh_, mesh_.triangles[t]));
     if (sign == 0) continue;
     if (height > 0) leaving += sign;

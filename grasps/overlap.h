@@ -33,6 +33,7 @@ class InsideTest {
 
  private:
   int column(double value, int axis) const;
+  std::size_t cell(int x, int y) const;
 
   const Mesh& mesh_;
   Eigen::Vector2d low_;

@@ -36,6 +36,7 @@ TEST_F(Check, PassesASoundGraspAndReportsItsSteps) {
   EXPECT_TRUE(check.pass);
   ASSERT_EQ(check.steps.size(), 5U);
   EXPECT_GT(check.steps.front().clearance_mm, 2);
+  EXPECT_EQ(check.steps.front().volume_cm3, 0);
   EXPECT_THAT(check.steps.front().contacts, IsEmpty());
   for (const char* bone : {"thumb_distal", "index_distal", "middle_distal"}) {
     EXPECT_THAT(check.steps.back().contacts, Contains(bone));
@@ -60,9 +61,6 @@ TEST_F(Check, MeasuresTheVolumeThatHandAndObjectShare) {
   closed_.hand_from_object = in_the_forearm;
   const StepCheck step = check_grasp(grasp_, male(), rest_, closed_).steps.back();
   EXPECT_NEAR(step.volume_cm3, 4.0 / 3 * kPi, 0.1);
-  grasp_.object = make_sphere(0.4);
-  closed_.hand_from_object.translation = {0, 0, -0.4};
-  EXPECT_EQ(check_grasp(grasp_, male(), rest_, closed_).steps.back().volume_cm3, 0);
 }
 
 TEST_F(Check, FindsAnObjectInTheWayOfAnEarlierStep) {

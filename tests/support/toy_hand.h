@@ -12,7 +12,7 @@ namespace graspdb::testing {
 
 // Adds a closed capsule along y of a bone's frame, moved by that bone alone.
 inline void add_capsule(Hand& hand, int bone, double length, double radius) {
-  constexpr int kAround = 16, kRings = 18;
+  constexpr int kAround = 8, kRings = 9;
   const RigidTransform& palm_from_bone =
       hand.palm_from_bone_at_bind[static_cast<std::size_t>(bone)];
   Mesh& mesh = hand.bind_mesh;
