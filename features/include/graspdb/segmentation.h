@@ -48,6 +48,10 @@ std::optional<Mask> largest_region(const Mask& mask, int min_area_px,
 // region.
 Mask cut_forearm(const Mask& hand);
 
+// The region of largest_region without its forearm: what the tracker reads. All 0 when there is none.
+Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi = {},
+                  const SkinOptions& options = {});
+
 // Rec. 601 luma.
 GrayImage to_gray(const ColorImage& frame);
 
