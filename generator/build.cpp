@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <span>
+
+#include "graspdb/generator.h"
+#include "graspdb/parallel.h"
+#include "graspdb/posed_scene.h"
+#include "plan.h"
+
+namespace graspdb {
+namespace {
+
+Label make_label(const Eigen::Matrix3d& camera_from_hand, const JointAngles& angles) {
+  Label label;
+  const Eigen::Vector3f rotation = vector_from_rotation(camera_from_hand).cast<float>();
+  std::copy_n(rotation.data(), 3, label.begin());
+  for (int i = 0; i < kAngleCount; ++i)
+    label[static_cast<std::size_t>(3 + i)] = static_cast<float>(angles[i]);
+  return label;
+}
+
+// The box in tangents: what a camera at one metre would see in metres, from the palm centre's ray.
+BoxTangents box_in_tangents(const Box& box, const Intrinsics& camera) {
+  return {static_cast<float>((box.x - 0.5 - camera.cx) / camera.fx),
+          static_cast<float>((box.y - 0.5 - camera.cy) / camera.fy),
+          static_cast<float>(box.width / camera.fx), static_cast<float>(box.height / camera.fy)};
+}
+
+Row make_row(const Plan& plan, const PosedScene& posed, std::size_t view) {
+  const Camera camera = crop_camera(plan.views[view], posed.centre, plan.config.distance,
+                                    posed.hand_vertices, plan.config.resolution);
+  const View picture = render(posed.scene, camera, plan.config.light);
+  const Mask hand = visible_hand(picture);
+  Row row;
+  row.view = static_cast<std::uint32_t>(view);
+  row.hog = describe(picture.shading, hand, plan.config.hog);
+  if (const auto box = tight_box(hand)) row.box = box_in_tangents(*box, camera.intrinsics);
+  return row;
+}
+
+void make_rows_of_pose(const Plan& plan, std::size_t index, std::span<Row> rows) {
+  const Plan::Pose which = plan.pose(index);
+  const Grasp& grasp = plan.grasps[which.grasp];
+  const GraspPose pose = pose_at_step(grasp, plan.rest, plan.closed[which.hand][which.grasp],
+                                      which.step, plan.config.steps);
+  const Solid* object = plan.variant_holds[which.variant] ? grasp.object.get() : nullptr;
+  const PosedScene posed = pose_scene(plan.hands[which.hand], pose, object);
+  for (std::size_t view = 0; view < rows.size(); ++view) {
+    Row& row = rows[view] = make_row(plan, posed, view);
+    row.label = make_label(plan.views[view], pose.angles);
+    row.grasp = static_cast<std::uint16_t>(grasp.id);
+    row.step = static_cast<std::uint8_t>(which.step);
+    row.hand = static_cast<std::uint8_t>(which.hand);
+    row.variant = static_cast<std::uint8_t>(which.variant);
+  }
+}
+
+}  // namespace
+
+BuildReport build_database(const BuildConfig& config, const std::filesystem::path& out,
+                           const Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Plan plan = make_plan(config);
+  const std::size_t views = plan.views.size();
+  std::vector<Row> rows(plan.row_count());
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(plan.pose_count(), config.threads, [&](std::size_t pose) {
+    make_rows_of_pose(plan, pose, std::span(rows).subspan(pose * views, views));
+    const std::lock_guard lock(mutex);
+    done += views;
+    if (progress) progress(done, rows.size());
+  });
+  write_database(out, describe_plan(plan), rows);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  return {rows.size(), taken.count(), std::filesystem::file_size(out),
+          Database::open(out).content_hash()};
+}
+
+}  // namespace graspdb

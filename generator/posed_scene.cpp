@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/posed_scene.h"
+
+#include <algorithm>
+
+#include "graspdb/error.h"
+
+namespace graspdb {
+namespace {
+
+// Enough rays for smooth creases at a vertex spacing of 2-3 mm; 30 mm is about a finger and a half.
+constexpr int kOpennessRays = 24;
+constexpr double kOpennessReach = 0.03;
+
+Mesh transformed(const Mesh& mesh, const RigidTransform& target_from_mesh) {
+  Mesh moved = mesh;
+  const Eigen::Matrix3f rotation = target_from_mesh.rotation.cast<float>();
+  const Eigen::Vector3f translation = target_from_mesh.translation.cast<float>();
+  for (Eigen::Vector3f& vertex : moved.vertices) vertex = rotation * vertex + translation;
+  for (Eigen::Vector3f& normal : moved.normals) normal = rotation * normal;
+  return moved;
+}
+
+}  // namespace
+
+Hand with_visible_forearm(Hand hand, double length) {
+  GRASPDB_CHECK(length >= 0);
+  const RigidTransform& palm_from_forearm = hand.palm_from_bone_at_bind[kForearm];
+  const RigidTransform forearm_from_palm = palm_from_forearm.inverse();
+  double end = length;
+  for (const Eigen::Vector3f& vertex : hand.bind_mesh.vertices) {
+    end = std::max(end, -(forearm_from_palm * vertex.cast<double>()).y());
+  }
+  for (Eigen::Vector3f& vertex : hand.bind_mesh.vertices) {
+    Eigen::Vector3d in_forearm = forearm_from_palm * vertex.cast<double>();
+    const double beyond = -length - in_forearm.y();
+    if (beyond <= 0) continue;
+    // Towards the axis, so that an arm that grows wider leaves no rim.
+    const double towards_axis = 1 - beyond / (end - length);
+    in_forearm = {in_forearm.x() * towards_axis, -length, in_forearm.z() * towards_axis};
+    vertex = (palm_from_forearm * in_forearm).cast<float>();
+  }
+  return hand;
+}
+
+PosedScene pose_scene(const Hand& hand, const GraspPose& pose, const Solid* object) {
+  Mesh skin = pose_skin(hand, pose.angles);
+  Mesh solid;
+  if (object != nullptr) solid = transformed(object->mesh(), pose.hand_from_object);
+  const Mesh* held = object != nullptr ? &solid : nullptr;
+  const std::vector<float> openness = ambient_openness(skin, held, kOpennessRays, kOpennessReach);
+  Scene scene(skin, strongest_bones(hand), held, openness);
+  return {std::move(scene), std::move(skin.vertices), palm_centre(hand.skeleton, pose.angles)};
+}
+
+}  // namespace graspdb

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "graspdb/error.h"
+#include "graspdb/file.h"
+#include "graspdb/generator.h"
+#include "graspdb/posed_scene.h"
+#include "graspdb/rig.h"
+#include "graspdb/views.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
+
+BuildConfig small_config() {
+  BuildConfig config;
+  config.hands = {kSource / "assets/hands/male.glb"};
+  config.grasps = kSource / "grasps";
+  config.only = {3, 9};
+  config.objects = Objects::kBoth;
+  config.steps = 2;
+  config.views = 12;
+  config.resolution = 48;
+  return config;
+}
+
+class Build : public ::testing::Test {
+ protected:
+  Database build(const BuildConfig& config, const std::string& name = "a.graspdb") {
+    build_database(config, directory_ / name);
+    return Database::open(directory_ / name);
+  }
+  testing::TemporaryDirectory directory_;
+};
+
+TEST_F(Build, RowsFollowTheFormula) {
+  const Database database = build(small_config());
+  ASSERT_EQ(database.rows(), 2u * 2 * 2 * 12);
+  for (std::size_t row = 0; row < database.rows(); ++row) {
+    EXPECT_EQ(database.view(row), row % 12);
+    EXPECT_EQ(database.step(row), row / 12 % 2 + 1);
+    EXPECT_EQ(database.grasp(row), row / 24 % 2 == 0 ? 3 : 9);
+    EXPECT_EQ(database.variant(row), row / 48);
+  }
+  EXPECT_THAT(database.info().variants, ::testing::ElementsAre("held", "free"));
+}
+
+TEST_F(Build, LabelsHoldTheViewsAndTheClosedAngles) {
+  const Database database = build(small_config());
+  const auto views = view_rotations(12);
+  for (std::size_t row = 0; row < database.rows(); ++row) {
+    const auto label = database.label(row);
+    EXPECT_LT(angle_between(rotation_from_vector({label[0], label[1], label[2]}), views[row % 12]),
+              1e-5);
+    const auto same_pose_free = database.label(row % 48 + 48);
+    EXPECT_TRUE(std::equal(label.begin(), label.end(), same_pose_free.begin()));
+  }
+}
+
+TEST_F(Build, TheNumberOfThreadsChangesNoByte) {
+  BuildConfig config = small_config();
+  for (const int threads : {1, 2, 7}) {
+    config.threads = threads;
+    build_database(config, directory_ / std::to_string(threads));
+  }
+  EXPECT_EQ(read_text(directory_ / "1"), read_text(directory_ / "2"));
+  EXPECT_EQ(read_text(directory_ / "1"), read_text(directory_ / "7"));
+}
+
+TEST_F(Build, AHeldObjectChangesWhatIsSeenAndADescriptorIsNeverEmpty) {
+  const Database database = build(small_config());
+  int different = 0;
+  for (std::size_t row = 0; row < 48; ++row) {
+    const auto held = database.hog(row), free = database.hog(row + 48);
+    different += std::equal(held.begin(), held.end(), free.begin()) ? 0 : 1;
+    EXPECT_GT(*std::max_element(free.begin(), free.end()), 0);
+    EXPECT_GT(database.box(row + 48).width, 0.02F);  // 14 mm at 0.7 m
+    EXPECT_LT(database.box(row + 48).width, 0.6F);
+  }
+  EXPECT_GT(different, 40);
+}
+
+TEST_F(Build, ProgressEndsWithAllRows) {
+  std::size_t last = 0;
+  build_database(small_config(), directory_ / "p", [&](std::size_t done, std::size_t total) {
+    EXPECT_GT(done, last);
+    EXPECT_EQ(total, 96u);
+    last = done;
+  });
+  EXPECT_EQ(last, 96u);
+}
+
+TEST_F(Build, BadInputIsNamedAndLeavesNothing) {
+  const auto message = [&](const auto& change) -> std::string {
+    BuildConfig config = small_config();
+    change(config);
+    try {
+      build(config, "bad");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(message([](BuildConfig& c) { c.only = {77}; }), HasSubstr("grasp 77"));
+  EXPECT_THAT(message([](BuildConfig& c) { c.hands = {"/nowhere.glb"}; }), HasSubstr("/nowhere"));
+  EXPECT_THAT(message([](BuildConfig& c) { c.views = 0; }), HasSubstr("views"));
+  EXPECT_THAT(message([](BuildConfig& c) { c.grasps = "/nowhere"; }), HasSubstr("/nowhere"));
+  EXPECT_TRUE(std::filesystem::is_empty(directory_.path()));
+}
+
+TEST(VisibleForearm, EndsWhereItIsAskedToAndKeepsItsTriangles) {
+  const Hand whole = load_hand(kSource / "assets/hands/male.glb");
+  const Hand cut = with_visible_forearm(whole, 0.025);
+  float lowest = 0;
+  for (const Eigen::Vector3f& v : cut.bind_mesh.vertices) lowest = std::min(lowest, v.y());
+  EXPECT_NEAR(lowest, -0.025F, 1e-4F);
+  EXPECT_EQ(cut.bind_mesh.triangles, whole.bind_mesh.triangles);
+}
+
+}  // namespace
+}  // namespace graspdb
