@@ -27,12 +27,12 @@ enum class TemporalModel {
 
 struct TrackerOptions {
   TemporalModel temporal = TemporalModel::kKde;
-  int neighbours = 20;      // k, 1..1000
-  double sigma_hog = 0.5;   // of the descriptor distance (a row's 255 counts as 1)
-  double sigma_pose = 0.8;  // of the pose vector around the previous answer
-  double bandwidth = 0.5;   // of the pose vector around each previous hypothesis
-  double max_distance = 4;  // a nearest descriptor further away is no hand
-  bool left_hand = false;   // the frame is mirrored on the way in, the answer on the way out
+  int neighbours = 20;        // k, 1..1000
+  double sigma_hog = 1;       // of the descriptor distance (a row's 255 counts as 1)
+  double sigma_pose = 0.5;    // of the pose vector around the previous answer
+  double bandwidth = 0.5;     // of the pose vector around each previous hypothesis
+  double max_distance = 6.5;  // a nearest descriptor further away is no hand
+  bool left_hand = false;     // the frame is mirrored on the way in, the answer on the way out
 };
 
 // What the tracker is shown: one segmented frame.
