@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/sequence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspdb/error.h"
+#include "graspdb/file.h"
+#include "graspdb/hand_maker.h"
+#include "graspdb/rig.h"
+#include "graspdb/text.h"
+
+namespace graspdb {
+namespace {
+
+Eigen::Vector3d vector3(const TomlTable& table, std::string_view key, double low, double high) {
+  const std::vector<double> v = table.numbers(key, 3, low, high);
+  return {v[0], v[1], v[2]};
+}
+
+Intrinsics read_camera(const TomlTable& table) {
+  Intrinsics camera;
+  camera.width = table.integer_or("width_px", 640, 64, 8192);
+  camera.height = table.integer_or("height_px", 480, 64, 8192);
+  camera.fx = camera.fy = table.number("focal_px", 50, 20000);
+  camera.cx = (camera.width - 1) / 2.0;
+  camera.cy = (camera.height - 1) / 2.0;
+  table.finish();
+  return camera;
+}
+
+// A hand of measures that no default hand has.
+Hand read_hand(const TomlTable& table) {
+  HandShape shape;
+  shape.name = table.string("name");
+  shape.length_mm = table.number("length_mm", 100, 240);
+  shape.breadth_mm = table.number("breadth_mm", 40, 120);
+  shape.finger_length = table.number_or("finger_length", 1, 0.8, 1.2);
+  shape.finger_thickness = table.number_or("finger_thickness", 1, 0.7, 1.3);
+  shape.palm_thickness = table.number_or("palm_thickness", 1, 0.7, 1.3);
+  shape.forearm_length_mm = table.number_or("forearm_length_mm", 220, 150, 300);
+  table.finish();
+  return make_hand(shape);
+}
+
+void read_look(const TomlTable& table, SequenceSpec& spec) {
+  spec.skin_bgr = vector3(table, "skin_bgr", 0, 255);
+  spec.object_bgr = vector3(table, "object_bgr", 0, 255);
+  spec.towards_light = vector3(table, "towards_light", -1, 1);
+  spec.sensor_noise = table.number("sensor_noise", 0, 50);
+  table.finish();
+}
+
+Keyframe read_keyframe(const TomlTable& table) {
+  Keyframe key;
+  key.time = table.number("time_s", 0, 3600);
+  key.closure = table.number("closure", 0, 1);
+  key.view = vector3(table, "view_deg", -720, 720) * (kPi / 180);
+  key.palm = vector3(table, "palm_mm", -5000, 5000) / 1000;
+  table.finish();
+  if (key.palm.z() < 0.1)
+    table.fail("palm_mm", "a palm at least 100 mm in front of the camera", "less");
+  return key;
+}
+
+std::vector<Keyframe> read_keyframes(const TomlTable& table) {
+  std::vector<Keyframe> keyframes;
+  for (const TomlTable& key : table.tables("keyframe")) {
+    keyframes.push_back(read_keyframe(key));
+    if (keyframes.size() > 1 && keyframes.back().time <= keyframes[keyframes.size() - 2].time) {
+      key.fail("time_s", "a later time than the keyframe before", "an earlier one");
+    }
+  }
+  if (keyframes.size() < 2)
+    table.fail("keyframe", "at least two", std::to_string(keyframes.size()));
+  return keyframes;
+}
+
+}  // namespace
+
+int SequenceSpec::frame_count() const {
+  const double duration = keyframes.back().time - keyframes.front().time;
+  return static_cast<int>(std::floor(duration * frames_per_second + 1e-9)) + 1;
+}
+
+Eigen::Matrix3d camera_from_view(const Eigen::Vector3d& yaw_pitch_roll) {
+  // Half a turn about x: the hand's y (distal) goes up, its z (dorsal) towards the camera.
+  const Eigen::Matrix3d back_of_upright_hand = axis_rotation(0, kPi);
+  return axis_rotation(2, yaw_pitch_roll.z()) * axis_rotation(0, yaw_pitch_roll.y()) *
+         axis_rotation(1, yaw_pitch_roll.x()) * back_of_upright_hand;
+}
+
+SequenceSpec load_sequence(const std::filesystem::path& file,
+                           const std::filesystem::path& hand_file) {
+  const TomlTable table = TomlTable::load(file);
+  SequenceSpec spec;
+  spec.file = file;
+  spec.name = table.string("name");
+  spec.seed = static_cast<std::uint64_t>(table.integer("seed", 0, 1 << 30));
+  spec.frames_per_second = table.number_or("frames_per_second", 10, 1, 240);
+  spec.visible_forearm = table.number("visible_forearm_mm", 0, 300) / 1000;
+  spec.object_visible = table.boolean_or("object_visible", true);
+  spec.camera = read_camera(table.table("camera"));
+  read_look(table.table("look"), spec);
+  const TomlTable hand = table.table("hand");
+  spec.hand = hand_file.empty() ? read_hand(hand) : load_hand(hand_file);
+  spec.grasp = load_grasp(file.parent_path() / table.string("grasp"));
+  spec.rest = load_rest_pose(file.parent_path());
+  spec.keyframes = read_keyframes(table);
+  table.finish();
+  return spec;
+}
+
+}  // namespace graspdb

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "graspdb/error.h"
+#include "graspdb/file.h"
+#include "graspdb/image_io.h"
+#include "graspdb/noise.h"
+#include "graspdb/parallel.h"
+#include "graspdb/sequence.h"
+
+namespace graspdb {
+namespace {
+
+using nlohmann::json;
+
+template <typename Matrix>
+json numbers(const Matrix& matrix) {  // row by row
+  json list = json::array();
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (int column = 0; column < matrix.cols(); ++column) list.push_back(matrix(row, column));
+  }
+  return list;
+}
+
+template <typename Matrix>
+void read_numbers(const json& list, Matrix& matrix) {
+  if (list.size() != static_cast<std::size_t>(matrix.size()))
+    throw json::out_of_range::create(401, "wrong count", nullptr);
+  std::size_t next = 0;
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (int column = 0; column < matrix.cols(); ++column)
+      matrix(row, column) = list.at(next++).get<double>();
+  }
+}
+
+json to_json(const FrameTruth& truth, int frame) {
+  return {{"frame", frame},
+          {"time_s", truth.time},
+          {"closure", truth.closure},
+          {"camera_from_hand", numbers(truth.camera_from_hand)},
+          {"wrist_m", numbers(truth.wrist)},
+          {"angles", numbers(truth.angles)},
+          {"joints_m", numbers(Eigen::MatrixXd(truth.joints.transpose()))}};
+}
+
+FrameTruth truth_from_json(const json& line) {
+  FrameTruth truth;
+  truth.time = line.at("time_s").get<double>();
+  truth.closure = line.at("closure").get<double>();
+  read_numbers(line.at("camera_from_hand"), truth.camera_from_hand);
+  read_numbers(line.at("wrist_m"), truth.wrist);
+  read_numbers(line.at("angles"), truth.angles);
+  Eigen::Matrix<double, kKeypointCount, 3> joints;
+  read_numbers(line.at("joints_m"), joints);
+  truth.joints = joints.transpose();
+  return truth;
+}
+
+json describe_sequence(const SequenceSpec& spec, const NoiseOptions& noise) {
+  const Intrinsics& camera = spec.camera;
+  return {{"name", spec.name},
+          {"frames_per_second", spec.frames_per_second},
+          {"camera",
+           {{"width_px", camera.width},
+            {"height_px", camera.height},
+            {"fx_px", camera.fx},
+            {"fy_px", camera.fy},
+            {"cx_px", camera.cx},
+            {"cy_px", camera.cy}}},
+          {"hand", spec.hand.name},
+          {"grasp", spec.grasp.name},
+          {"object", spec.object_visible ? spec.grasp.object_name : "none"},
+          {"noise", {{"alpha_percent", noise.alpha_percent}, {"seed", noise.seed}}}};
+}
+
+}  // namespace
+
+void write_sequence(const SequenceRenderer& renderer, const std::filesystem::path& directory,
+                    const NoiseOptions& noise, const Progress& progress) {
+  const auto count = static_cast<std::size_t>(renderer.spec().frame_count());
+  std::mutex mutex;
+  std::size_t done = 0;
+  for (const char* folder : {"frames", "masks", "noisy"})
+    std::filesystem::create_directories(directory / folder);
+  parallel_for(count, 0, [&](std::size_t i) {
+    const SequenceFrame frame = renderer.render(static_cast<int>(i));
+    const std::string name = fmt::format("{:06}.png", i);
+    write_png(directory / "frames" / name, frame.color);
+    write_png(directory / "masks" / name, frame.hand);
+    write_png(directory / "noisy" / name,
+              add_segmentation_noise(frame.hand, noise.alpha_percent, noise.seed, i));
+    const std::lock_guard lock(mutex);
+    if (progress) progress(++done, count);
+  });
+  std::string lines;
+  for (std::size_t i = 0; i < count; ++i) {
+    lines += to_json(renderer.truth(static_cast<int>(i)), static_cast<int>(i)).dump() + "\n";
+  }
+  write_text(directory / "truth.jsonl", lines);
+  write_text(directory / "sequence.json", describe_sequence(renderer.spec(), noise).dump(1) + "\n");
+}
+
+WrittenSequence read_sequence(const std::filesystem::path& directory) {
+  WrittenSequence sequence{.directory = directory};
+  auto file = directory / "sequence.json";
+  try {
+    const json header = json::parse(read_text(file));
+    const json& camera = header.at("camera");
+    sequence.camera = {camera.at("width_px"), camera.at("height_px"), camera.at("fx_px"),
+                       camera.at("fy_px"),    camera.at("cx_px"),     camera.at("cy_px")};
+    sequence.frames_per_second = header.at("frames_per_second").get<double>();
+    file = directory / "truth.jsonl";
+    std::istringstream lines(read_text(file));
+    for (std::string line; std::getline(lines, line);) {
+      sequence.truth.push_back(truth_from_json(json::parse(line)));
+    }
+  } catch (const json::exception& fault) {
+    throw Error({file.string(), "", "what `graspdb sequence` writes", fault.what()});
+  }
+  return sequence;
+}
+
+}  // namespace graspdb

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/sequence.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "graspdb/error.h"
+#include "graspdb/file.h"
+#include "graspdb/image_io.h"
+#include "graspdb/text.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
+const std::filesystem::path kHand = kSource / "assets/hands/male.glb";
+
+// The bottle of the test set with the male hand, small and short.
+SequenceSpec short_spec() {
+  SequenceSpec spec = load_sequence(kSource / "sequences/test/bottle.seq.toml", kHand);
+  spec.camera = {.width = 160, .height = 120, .fx = 150, .fy = 150, .cx = 79.5, .cy = 59.5};
+  spec.keyframes = {
+      {.time = 0, .closure = 0, .view = {0, 0, 0}, .palm = {0, 0, 0.5}},
+      {.time = 0.4, .closure = 1, .view = {0, 0, radians(40)}, .palm = {0.02, 0, 0.6}}};
+  return spec;
+}
+
+TEST(SequenceView, ZeroIsTheBackOfAnUprightHand) {
+  const Eigen::Matrix3d camera_from_hand = camera_from_view({0, 0, 0});
+  EXPECT_NEAR(camera_from_hand.col(1).y(), -1, 1e-12);              // distal is up in the picture
+  EXPECT_NEAR(camera_from_hand.col(2).z(), -1, 1e-12);              // dorsal towards the camera
+  EXPECT_NEAR(camera_from_view({kPi, 0, 0}).col(2).z(), 1, 1e-12);  // half a turn shows the palm
+}
+
+class ShortSequence : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { renderer_ = std::make_unique<SequenceRenderer>(short_spec()); }
+  static void TearDownTestSuite() { renderer_.reset(); }
+  static std::unique_ptr<SequenceRenderer> renderer_;
+};
+std::unique_ptr<SequenceRenderer> ShortSequence::renderer_;
+
+TEST_F(ShortSequence, KeyframesAreReachedAndBlended) {
+  ASSERT_EQ(renderer_->spec().frame_count(), 5);
+  EXPECT_LT((renderer_->truth(0).angles - renderer_->spec().rest).norm(), 1e-9);
+  const FrameTruth middle = renderer_->truth(2);
+  EXPECT_NEAR(middle.closure, 0.5, 1e-9);
+  EXPECT_NEAR(degrees(angle_between(middle.camera_from_hand, camera_from_view({0, 0, 0}))), 20,
+              1e-6);
+  EXPECT_EQ(middle.joints.col(0), middle.wrist);
+}
+
+// Tips lie on the skin, so that their pixel may be just outside.
+bool shows_hand_near(const SequenceFrame& frame, int x, int y) {
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      if (frame.hand.at(x + dx, y + dy) == 255 || frame.object.at(x + dx, y + dy) == 255)
+        return true;
+    }
+  }
+  return false;
+}
+
+TEST_F(ShortSequence, TruthProjectsOntoTheHand) {
+  const SequenceFrame frame = renderer_->render(0);
+  for (int i = 0; i < kKeypointCount; ++i) {
+    const Eigen::Vector2d p = renderer_->spec().camera.project(frame.truth.joints.col(i));
+    EXPECT_TRUE(shows_hand_near(frame, static_cast<int>(std::lround(p.x())),
+                                static_cast<int>(std::lround(p.y()))))
+        << keypoint_name(i);
+  }
+}
+
+TEST_F(ShortSequence, HandAndObjectDoNotOverlapAndBothAreSeen) {
+  const SequenceFrame frame = renderer_->render(4);
+  int hand = 0, object = 0;
+  for (std::size_t i = 0; i < frame.hand.size(); ++i) {
+    EXPECT_FALSE(frame.hand.data()[i] == 255 && frame.object.data()[i] == 255);
+    hand += frame.hand.data()[i] == 255;
+    object += frame.object.data()[i] == 255;
+  }
+  EXPECT_GT(hand, 300);
+  EXPECT_GT(object, 100);
+}
+
+TEST_F(ShortSequence, WhatIsWrittenIsReadBack) {
+  const testing::TemporaryDirectory directory;
+  write_sequence(*renderer_, directory.path(), {.alpha_percent = 1, .seed = 3});
+  const WrittenSequence back = read_sequence(directory.path());
+  ASSERT_EQ(back.truth.size(), 5u);
+  EXPECT_EQ(back.camera.fx, 150);
+  EXPECT_EQ(back.truth[3].angles, renderer_->truth(3).angles);
+  EXPECT_EQ(back.truth[3].joints, renderer_->truth(3).joints);
+  EXPECT_EQ(read_gray(directory / "masks/000003.png"), renderer_->render(3).hand);
+  EXPECT_NE(read_gray(directory / "noisy/000003.png"), renderer_->render(3).hand);
+  EXPECT_EQ(read_color(directory / "frames/000002.png"), renderer_->render(2).color);
+}
+
+TEST(Sequence, AnObjectThatCollidesIsRefused) {
+  SequenceSpec spec = short_spec();
+  spec.grasp.object =
+      make_sphere(0.5);  // no hand closes on half a metre of ball without entering it
+  try {
+    const SequenceRenderer renderer(spec);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bottle.seq.toml"));
+  }
+}
+
+TEST(Sequence, BrokenFilesAreNamed) {
+  const testing::TemporaryDirectory directory;
+  const std::string good = read_text(kSource / "sequences/test/bottle.seq.toml");
+  const auto message = [&](const std::string& text) -> std::string {
+    write_text(directory / "s.seq.toml", text);
+    try {
+      load_sequence(directory / "s.seq.toml", kHand);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  for (const char* file : {"bottle.grasp.toml", "rest.toml"}) {
+    std::filesystem::copy_file(kSource / "sequences/test" / file, directory / file);
+  }
+  EXPECT_EQ(message(good), "no error");
+  EXPECT_THAT(message("colour = 'red'\n" + good), HasSubstr("colour"));
+  EXPECT_THAT(message(good.substr(0, good.find("[[keyframe]]"))), HasSubstr("keyframe"));
+}
+
+}  // namespace
+}  // namespace graspdb
