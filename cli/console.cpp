@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "console.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "graspdb/closing.h"
+#include "graspdb/error.h"
+#include "graspdb/file.h"
+
+namespace graspdb::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+class ProgressPrinter {
+ public:
+  ProgressPrinter(std::string what, std::string unit)
+      : what_(std::move(what)), unit_(std::move(unit)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+  void operator()(std::size_t done, std::size_t total) {
+    const auto now = Clock::now();
+    const std::chrono::duration<double> since_last = now - last_;
+    if (done < total && since_last.count() < (terminal_ ? 0.1 : 5.0)) return;
+    last_ = now;
+    const std::chrono::duration<double> taken = now - begin_;
+    print(done, total, static_cast<double>(done) / std::max(taken.count(), 1e-9));
+  }
+
+ private:
+  void print(std::size_t done, std::size_t total, double rate) const {
+    const double left = static_cast<double>(total - done) / std::max(rate, 1e-9);
+    const std::string figures = fmt::format("{} {} of {} {}, {:.0f} {}/s, {:.0f} s left", what_,
+                                            done, total, unit_, rate, unit_, left);
+    if (!terminal_) {
+      fmt::print(stderr, "{}\n", figures);
+      return;
+    }
+    constexpr std::size_t kWidth = 30;
+    const std::size_t filled = total == 0 ? kWidth : kWidth * done / total;
+    fmt::print(stderr, "\r[{:#<{}}{: <{}}] {}\033[K{}", "", filled, "", kWidth - filled, figures,
+               done == total ? "\n" : "");
+  }
+
+  std::string what_, unit_;
+  bool terminal_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point last_ = begin_;
+};
+
+}  // namespace
+
+Progress console_progress(const std::string& what, const std::string& unit) {
+  return [printer = std::make_shared<ProgressPrinter>(what, unit)](
+             std::size_t done, std::size_t total) { (*printer)(done, total); };
+}
+
+std::filesystem::path default_hand() {
+  return data_directory() / "assets/hands/male.glb";
+}
+
+std::filesystem::path grasp_directory() {
+  return data_directory() / "grasps";
+}
+
+std::filesystem::path index_file(const Database& database, const std::string& method) {
+  return database.path().string() + "." + method;
+}
+
+std::unique_ptr<Search> open_search(const Database& database, const std::string& method) {
+  if (method == "exact") return make_exact_search(database);
+  if (method == "scan") return make_scan_search(database);
+  GRASPDB_CHECK(method == "lsh");
+  const auto index = index_file(database, method);
+  return std::filesystem::exists(index) ? load_lsh_search(index, database)
+                                        : make_lsh_search(database);
+}
+
+GraspPose closed_pose(const Grasp& grasp, const Hand& hand) {
+  const auto file = grasp.file.parent_path() / "closed" / (hand.name + ".toml");
+  if (std::filesystem::exists(file)) {
+    const auto poses = load_closed_poses(file);
+    if (const auto found = poses.find(grasp.id); found != poses.end()) return found->second;
+  }
+  return close_grasp(grasp, hand);
+}
+
+}  // namespace graspdb::cli

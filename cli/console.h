@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What all verbs share: progress on stderr, default places of data, opening searches.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "graspdb/database.h"
+#include "graspdb/grasp.h"
+#include "graspdb/hand.h"
+#include "graspdb/progress.h"
+#include "graspdb/search.h"
+
+namespace graspdb::cli {
+
+// On a terminal a bar with rate and time left; elsewhere a line every few seconds.
+Progress console_progress(const std::string& what, const std::string& unit);
+
+std::filesystem::path default_hand();  // assets/hands/male.glb
+std::filesystem::path grasp_directory();
+
+// "exact", "scan" or "lsh"; lsh takes the index beside the database when there is one.
+std::unique_ptr<Search> open_search(const Database& database, const std::string& method);
+std::filesystem::path index_file(const Database& database, const std::string& method);
+
+// The committed closed pose of this hand, else closed here and now.
+GraspPose closed_pose(const Grasp& grasp, const Hand& hand);
+
+}  // namespace graspdb::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "graspdb/camera.h"
+#include "graspdb/image.h"
+#include "graspdb/sequence.h"
+
+namespace graspdb::cli {
+
+struct InputFrame {
+  int index = 0;
+  double time = 0;  // seconds
+  ColorImage color;
+  std::optional<Mask> mask;  // when the source brings one
+};
+
+// Frames one after the other, from a video, a folder of pictures, "camera:0", or the folder of a
+// rendered sequence (its noisy masks come along).
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  virtual std::optional<InputFrame> next() = 0;  // none at the end
+  virtual double frames_per_second() const = 0;
+  virtual std::optional<std::size_t> count() const = 0;  // when it is known
+  // Intrinsics and truth, when the source is a rendered sequence.
+  virtual const WrittenSequence* sequence() const { return nullptr; }
+};
+
+// `masks` is a folder of masks named as the frames, or empty. Throws Error for what cannot be read.
+std::unique_ptr<FrameSource> open_source(const std::string& input,
+                                         const std::filesystem::path& masks);
+
+}  // namespace graspdb::cli

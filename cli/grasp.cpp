@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "console.h"
+#include "graspdb/closing.h"
+#include "graspdb/error.h"
+#include "graspdb/image_io.h"
+#include "graspdb/parallel.h"
+#include "graspdb/rig.h"
+#include "sheet.h"
+#include "verbs.h"
+
+namespace graspdb::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  bool all = false;
+  std::string hand;
+  std::string out;
+  bool json = false;
+  bool plain = false;
+};
+
+std::vector<Grasp> chosen(const Options& options) {
+  if (!options.file.empty()) return {load_grasp(options.file)};
+  return load_grasps(grasp_directory());
+}
+
+std::filesystem::path directory_of(const Options& options) {
+  return options.file.empty() ? grasp_directory()
+                              : std::filesystem::path(options.file).parent_path();
+}
+
+Hand chosen_hand(const Options& options) {
+  return load_hand(options.hand.empty() ? default_hand() : std::filesystem::path(options.hand));
+}
+
+void run_list() {
+  for (const Grasp& grasp : load_grasps(grasp_directory())) {
+    fmt::print("{:3}  {:26} {:13} {}\n", grasp.id, grasp.name, grasp.type, grasp.object_name);
+  }
+}
+
+nlohmann::json to_json(const Grasp& grasp, const Hand& hand, const GraspCheck& check) {
+  nlohmann::json steps = nlohmann::json::array();
+  for (const StepCheck& step : check.steps) {
+    steps.push_back({{"step", step.step},
+                     {"penetration_mm", step.penetration_mm},
+                     {"self_penetration_mm", step.self_penetration_mm},
+                     {"contacts", step.contacts},
+                     {"clearance_mm", step.clearance_mm}});
+  }
+  return {{"id", grasp.id},     {"name", grasp.name},         {"hand", hand.name},
+          {"pass", check.pass}, {"failures", check.failures}, {"steps", steps}};
+}
+
+void print(const Grasp& grasp, const GraspCheck& check) {
+  double deepest = 0, overlap = 0;
+  for (const StepCheck& step : check.steps) {
+    deepest = std::max(deepest, step.penetration_mm);
+    overlap = std::max(overlap, step.self_penetration_mm);
+  }
+  fmt::print("{} {:3} {:26} penetration {:.1f} mm, overlap {:.1f} mm, contacts {}\n",
+             check.pass ? "ok  " : "FAIL", grasp.id, grasp.name, deepest, overlap,
+             fmt::join(check.steps.back().contacts, " "));
+  for (const std::string& failure : check.failures) fmt::print("         {}\n", failure);
+}
+
+void run_check(const Options& options) {
+  const std::vector<Grasp> grasps = chosen(options);
+  const Hand hand = chosen_hand(options);
+  const JointAngles rest = load_rest_pose(directory_of(options));
+  std::vector<GraspCheck> checks(grasps.size());
+  parallel_for(grasps.size(), 0, [&](std::size_t i) {
+    checks[i] = check_grasp(grasps[i], hand, rest, closed_pose(grasps[i], hand));
+  });
+  nlohmann::json list = nlohmann::json::array();
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    if (options.json)
+      list.push_back(to_json(grasps[i], hand, checks[i]));
+    else
+      print(grasps[i], checks[i]);
+  }
+  if (options.json) fmt::print("{}\n", nlohmann::json{{"grasps", list}}.dump(1));
+  const auto failed =
+      std::count_if(checks.begin(), checks.end(), [](const GraspCheck& c) { return !c.pass; });
+  if (failed > 0) throw Error(fmt::format("{} of {} grasps fail", failed, grasps.size()));
+}
+
+void run_close(const Options& options) {
+  const std::vector<Grasp> grasps = chosen(options);
+  const Hand hand = chosen_hand(options);
+  std::vector<GraspPose> closed(grasps.size());
+  std::size_t done = 0;
+  const Progress progress = console_progress("closed", "grasps");
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    closed[i] = close_grasp(grasps[i], hand);
+    progress(++done, grasps.size());
+  }
+  const auto file = directory_of(options) / "closed" / (hand.name + ".toml");
+  std::map<int, GraspPose> poses;
+  if (std::filesystem::exists(file)) poses = load_closed_poses(file);
+  for (std::size_t i = 0; i < grasps.size(); ++i) poses[grasps[i].id] = closed[i];
+  save_closed_poses(file, hand.name, poses);
+  fmt::print("{}\n", file.string());
+}
+
+void run_sheet(const Options& options) {
+  const std::vector<Grasp> grasps = chosen(options);
+  const Hand hand = chosen_hand(options);
+  const JointAngles rest = load_rest_pose(directory_of(options));
+  const bool one = !options.file.empty();
+  std::map<int, GraspPose> closed;
+  for (const Grasp& grasp : grasps) closed[grasp.id] = closed_pose(grasp, hand);
+  write_png(options.out, one ? draw_grasp_sheet(hand, grasps.front(), rest, closed.begin()->second)
+                             : draw_grasp_page(hand, grasps, closed, options.plain));
+  fmt::print("{}\n", options.out);
+}
+
+void add_common(CLI::App& verb, Options& options) {
+  verb.add_option("FILE", options.file, "One grasp file [all of the project's]");
+  verb.add_flag("--all", options.all, "All grasps (the default without FILE)");
+  verb.add_option("--hand", options.hand, "A rigged hand [the male hand]");
+}
+
+}  // namespace
+
+void add_grasp(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* grasp = app.add_subcommand("grasp", "List, check, close and draw grasps");
+  grasp->require_subcommand(1);
+  grasp->add_subcommand("list", "The grasps with type and object")->callback([] { run_list(); });
+  CLI::App* check = grasp->add_subcommand(
+      "check", "Measure penetration, overlap and contacts; exit 1 when a gate fails");
+  add_common(*check, *options);
+  check->add_flag("--json", options->json, "As JSON");
+  check->callback([options] { run_check(*options); });
+  CLI::App* close = grasp->add_subcommand(
+      "close", "Close the hand by contact and store the pose beside the grasps");
+  add_common(*close, *options);
+  close->callback([options] { run_close(*options); });
+  CLI::App* sheet = grasp->add_subcommand("sheet", "Draw closed grasps from several sides");
+  add_common(*sheet, *options);
+  sheet->add_option("--out", options->out, "The PNG to write")->required();
+  sheet->add_flag("--plain", options->plain, "Without names and numbers");
+  sheet->callback([options] { run_sheet(*options); });
+}
+
+}  // namespace graspdb::cli

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "graspdb/database.h"
+#include "verbs.h"
+
+namespace graspdb::cli {
+namespace {
+
+nlohmann::json to_json(const Database& database) {
+  const DatabaseInfo& info = database.info();
+  nlohmann::json grasps = nlohmann::json::array();
+  for (const GraspEntry& grasp : info.grasps)
+    grasps.push_back({{"id", grasp.id}, {"name", grasp.name}});
+  nlohmann::json hands = nlohmann::json::array();
+  for (const HandEntry& hand : info.hands) hands.push_back(hand.name);
+  return {{"rows", database.rows()},
+          {"grasps", grasps},
+          {"hands", hands},
+          {"variants", info.variants},
+          {"steps", info.steps},
+          {"views", info.views},
+          {"view_rule", info.view_rule},
+          {"hog", info.hog},
+          {"config", nlohmann::json::parse(info.config)},
+          {"tool", info.tool},
+          {"content_hash", database.content_hash()}};
+}
+
+void print(const Database& database) {
+  const DatabaseInfo& info = database.info();
+  fmt::print("{}: {} rows = {} hands x {} variants x {} grasps x {} steps x {} views\n",
+             database.path().string(), database.rows(), info.hands.size(), info.variants.size(),
+             info.grasps.size(), info.steps, info.views);
+  for (const HandEntry& hand : info.hands) {
+    fmt::print("hand     {} ({:.0f} mm)\n", hand.name, 1000 * hand_length(hand.skeleton));
+  }
+  for (const std::string& variant : info.variants) fmt::print("variant  {}\n", variant);
+  for (const GraspEntry& grasp : info.grasps)
+    fmt::print("grasp    {:3} {}\n", grasp.id, grasp.name);
+  fmt::print("views    {}\nhog      {}\nconfig   {}\ntool     {}\ncontent  {}\n", info.view_rule,
+             info.hog, info.config, info.tool, database.content_hash());
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  auto file = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* info = app.add_subcommand("info", "Say what a database holds");
+  info->add_option("DB", *file, "The database")->required();
+  info->add_flag("--json", *json, "As JSON");
+  info->callback([file, json] {
+    const Database database = Database::open(*file);
+    if (*json) {
+      fmt::print("{}\n", to_json(database).dump(1));
+    } else {
+      print(database);
+    }
+  });
+  CLI::App* verify =
+      app.add_subcommand("verify", "Check every byte of a database against its checksums");
+  verify->add_option("DB", *file, "The database")->required();
+  verify->callback([file] {
+    verify_database(*file);
+    fmt::print("{}: every checksum holds\n", *file);
+  });
+}
+
+}  // namespace graspdb::cli

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <opencv2/highgui.hpp>
+
+#include "console.h"
+#include "frame_source.h"
+#include "graspdb/error.h"
+#include "graspdb/evaluate.h"
+#include "graspdb/file.h"
+#include "graspdb/hog.h"
+#include "graspdb/segmentation.h"
+#include "overlay.h"
+#include "report.h"
+#include "row_picture.h"
+#include "track_json.h"
+#include "tracker_options.h"
+#include "verbs.h"
+#include "video_writer.h"
+
+namespace graspdb::cli {
+namespace {
+
+constexpr int kOverlayHeight = 360;
+
+struct Options {
+  std::string database, input, masks, json, video;
+  std::string handedness = "right";
+  TrackerSettings tracker;
+  double focal_px = 0;  // 0: guessed
+  std::vector<int> roi;
+  bool show = false;
+};
+
+// Without a calibration: 60 degrees across the longer side, as many webcams and phones have it.
+Intrinsics guess_camera(const ColorImage& frame, double focal_px) {
+  Intrinsics camera{.width = frame.width(), .height = frame.height()};
+  const double guess = 0.87 * std::max(frame.width(), frame.height());
+  camera.fx = camera.fy = focal_px > 0 ? focal_px : guess;
+  camera.cx = (camera.width - 1) / 2.0;
+  camera.cy = (camera.height - 1) / 2.0;
+  if (focal_px <= 0) {
+    fmt::print(stderr, "no --focal: {:.0f} px is taken, a guess; distances scale with it\n", guess);
+  }
+  return camera;
+}
+
+// Everything that one run of the verb keeps between frames.
+class Run {
+ public:
+  explicit Run(const Options& options)
+      : options_(options),
+        source_(open_source(options.input, options.masks)),
+        database_(Database::open(options.database)),
+        search_(open_search(database_, options.tracker.search)),
+        tracker_(database_, *search_, tracker_options()),
+        hog_(hog_from_name(database_.info().hog, options.database)) {
+    if (!options.roi.empty())
+      roi_ = Box{options.roi[0], options.roi[1], options.roi[2], options.roi[3]};
+    if (!options.json.empty()) json_.emplace(options.json);
+    if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
+    if (video_ || options.show) row_picture_.emplace(database_);
+  }
+
+  void all_frames() {
+    const Progress progress = console_progress("tracked", "frames");
+    std::size_t done = 0;
+    while (const auto frame = source_->next()) {
+      if (!camera_)
+        camera_ = source_->sequence() ? source_->sequence()->camera
+                                      : guess_camera(frame->color, options_.focal_px);
+      one_frame(*frame);
+      if (source_->count()) progress(++done, std::max(done, *source_->count()));
+      if (stop_) break;
+    }
+    if (statistics_.frames == 0)
+      throw Error({.file = options_.input, .expected = "frames", .found = "none that can be read"});
+  }
+
+  void finish() {
+    if (json_) json_->commit();
+    if (video_) video_->finish();
+    print(statistics_);
+    if (source_->sequence()) print_against_truth();
+  }
+
+ private:
+  TrackerOptions tracker_options() const {
+    TrackerOptions settings = options_.tracker.values;
+    settings.temporal = temporal_from_name(options_.tracker.temporal);
+    settings.left_hand = options_.handedness == "left";
+    return settings;
+  }
+
+  void one_frame(const InputFrame& frame) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto since_begin = [&begin] {
+      return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+          .count();
+    };
+    const GrayImage gray = to_gray(frame.color);
+    const Mask hand = isolate_hand(frame.mask ? *frame.mask : segment_skin(frame.color), roi_);
+    const double segment_ms = since_begin();
+    const Estimate estimate = tracker_.step({gray, hand, *camera_});
+    const double total_ms = since_begin();
+    statistics_.add(estimate, segment_ms, total_ms);
+    if (json_) json_->write(to_json_line(frame, estimate, database_, segment_ms, total_ms) + "\n");
+    if (row_picture_) draw(frame, gray, hand, estimate);
+    if (source_->sequence()) compare_with_truth(frame, estimate);
+  }
+
+  void draw(const InputFrame& frame, const GrayImage& gray, const Mask& hand,
+            const Estimate& estimate) {
+    std::optional<ColorImage> row;
+    if (estimate.valid) row = row_picture_->draw(estimate, kOverlayHeight);
+    const std::string caption =
+        estimate.valid ? fmt::format("{}  grasp {} step {}  confidence {:.2f}", frame.index,
+                                     estimate.grasp, estimate.step, estimate.confidence)
+                       : fmt::format("{}  no hand", frame.index);
+    const ColorImage overlay = draw_overlay(
+        {frame.color, hand, estimate, describe(gray, hand, hog_), row, caption}, kOverlayHeight);
+    if (video_) video_->write(overlay);
+    if (options_.show) show(overlay);
+  }
+
+  void show(const ColorImage& overlay) {
+    cv::imshow("graspdb", cv::Mat(overlay.height(), overlay.width(), CV_8UC3,
+                                  const_cast<Bgr*>(overlay.data())));
+    const int key = cv::waitKey(1);
+    stop_ = key == 'q' || key == 27;
+  }
+
+  void compare_with_truth(const InputFrame& frame, const Estimate& estimate) {
+    const auto& truth = source_->sequence()->truth;
+    const auto i = static_cast<std::size_t>(frame.index);
+    if (!estimate.valid || i >= truth.size()) return;
+    errors_.push_back(compare(pose_of(estimate), pose_of(truth[i])));
+  }
+
+  void print_against_truth() const {
+    const Baselines base = baselines(database_, source_->sequence()->truth, 0);
+    print_error_table({{options_.tracker.temporal, summarize(errors_)}}, base);
+  }
+
+  const Options& options_;
+  std::unique_ptr<FrameSource> source_;
+  Database database_;
+  std::unique_ptr<Search> search_;
+  Tracker tracker_;
+  HogOptions hog_;
+  std::optional<Box> roi_;
+  std::optional<FileAside> json_;
+  std::optional<VideoWriter> video_;
+  std::optional<RowPicture> row_picture_;
+  std::optional<Intrinsics> camera_;
+  TrackStatistics statistics_;
+  std::vector<FrameErrors> errors_;
+  bool stop_ = false;
+};
+
+}  // namespace
+
+void add_track(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("track", "Read a hand's pose from video");
+  verb->add_option("DB", options->database, "The database")->required();
+  verb->add_option("INPUT", options->input,
+                   "A video, a folder of pictures, camera:N, or the folder of a rendered sequence")
+      ->required();
+  verb->add_option(
+      "--masks", options->masks,
+      "A folder of hand masks, named as the frames [skin segmentation; a sequence's noisy/]");
+  add_tracker_options(*verb, options->tracker);
+  verb->add_option("--focal", options->focal_px, "Focal length, pixels [0.87 of the longer side]")
+      ->check(CLI::Range(50.0, 20000.0));
+  verb->add_option("--roi", options->roi,
+                   "Only skin regions that touch this box: x,y,w,h in pixels")
+      ->delimiter(',')
+      ->expected(4);
+  verb->add_option("--handedness", options->handedness, "The hand that is seen")
+      ->check(CLI::IsMember({"right", "left"}));
+  verb->add_option("--json", options->json, "Write one JSON object a frame to this file");
+  verb->add_option("--video", options->video,
+                   "Write frame, mask, HOG and estimate side by side to this .mp4");
+  verb->add_flag("--show", options->show, "Show the same in a window; q ends");
+  verb->footer("Example: graspdb track hands.graspdb video.mp4 --focal 900 --video overlay.mp4");
+  verb->callback([options] {
+    Run run(*options);
+    run.all_frames();
+    run.finish();
+  });
+}
+
+}  // namespace graspdb::cli
