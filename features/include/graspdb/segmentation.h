@@ -48,7 +48,8 @@ std::optional<Mask> largest_region(const Mask& mask, int min_area_px,
 // region.
 Mask cut_forearm(const Mask& hand);
 
-// The region of largest_region without its forearm: what the tracker reads. All 0 when there is none.
+// The region of largest_region, its edge smoothed, without its forearm: what the tracker reads. All
+// 0 when there is none.
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi = {},
                   const SkinOptions& options = {});
 
