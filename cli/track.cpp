@@ -101,7 +101,7 @@ class Run {
           .count();
     };
     const GrayImage gray = to_gray(frame.color);
-    const Mask hand = isolate_hand(frame.mask ? *frame.mask : segment_skin(frame.color), roi_);
+    const Mask hand = frame.mask ? isolate_hand(*frame.mask, roi_) : find_hand(frame.color, roi_);
     const double segment_ms = since_begin();
     const Estimate estimate = tracker_.step({gray, hand, *camera_});
     const double total_ms = since_begin();

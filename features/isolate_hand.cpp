@@ -5,6 +5,7 @@
 
 #include "graspdb/segmentation.h"
 #include "opencv_image.h"
+#include "plausible.h"
 
 namespace graspdb {
 namespace {
@@ -30,7 +31,15 @@ Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOpt
   std::optional<Mask> region = largest_region(skin, options.min_area_px, roi);
   if (!region) return {skin.width(), skin.height()};
   smooth(*region);
+  if (!has_shape_of_hand(*region)) return {skin.width(), skin.height()};
   return cut_forearm(*region);
+}
+
+Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi, const SkinOptions& options) {
+  const Mask skin = segment_skin(frame, options);
+  const std::optional<Mask> region = largest_region(skin, options.min_area_px, roi);
+  if (!region || !has_color_of_skin(frame, *region)) return {frame.width(), frame.height()};
+  return isolate_hand(*region, roi, options);
 }
 
 }  // namespace graspdb

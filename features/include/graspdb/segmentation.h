@@ -48,10 +48,16 @@ std::optional<Mask> largest_region(const Mask& mask, int min_area_px,
 // region.
 Mask cut_forearm(const Mask& hand);
 
-// The region of largest_region, its edge smoothed, without its forearm: what the tracker reads. All
-// 0 when there is none.
+// The hand in a mask: the region of largest_region, its edge smoothed, without its forearm. All 0
+// when there is none, or when its outline or its share of the picture's border is none of a hand
+// with its arm.
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi = {},
                   const SkinOptions& options = {});
+
+// The hand in a frame: segment_skin and isolate_hand. All 0, too, when the region's hue or the
+// spread of its redness is none of skin.
+Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi = {},
+               const SkinOptions& options = {});
 
 // Rec. 601 luma.
 GrayImage to_gray(const ColorImage& frame);

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspdb/random.h"
+#include "graspdb/segmentation.h"
+
+namespace graspdb {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+constexpr Bgr kSkin = {100, 130, 190};
+constexpr Bgr kWall = {120, 120, 120};
+
+std::ptrdiff_t area(const Mask& mask) {
+  return std::count(mask.begin(), mask.end(), 255);
+}
+
+// A palm with an arm that leaves the picture at its lower border.
+Mask palm_and_arm() {
+  Mask mask(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const bool palm = std::hypot(x - 160, y - 90) < 45;
+      const bool arm = std::abs(x - 160) < 22 && y > 90;
+      if (palm || arm) mask.at(x, y) = 255;
+    }
+  }
+  return mask;
+}
+
+ColorImage painted(const Mask& mask, const Bgr& color) {
+  ColorImage frame(kWidth, kHeight, kWall);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask.data()[i] != 0) frame.data()[i] = color;
+  }
+  return frame;
+}
+
+TEST(IsolateHand, KeepsThePalmAndDropsTheArm) {
+  const Mask hand = isolate_hand(palm_and_arm());
+  EXPECT_EQ(hand.at(160, 90), 255);
+  EXPECT_EQ(hand.at(160, kHeight - 5), 0);
+}
+
+TEST(IsolateHand, FillsPinholesAndTakesFrayedEdgesAway) {
+  const Mask whole = palm_and_arm();
+  Mask frayed = whole;
+  RandomStream random(1);
+  for (std::uint8_t& pixel : frayed) pixel = random.uniform() < 0.05 ? 0 : pixel;
+  const Mask hand = isolate_hand(frayed), wanted = isolate_hand(whole);
+  std::ptrdiff_t different = 0;
+  for (std::size_t i = 0; i < hand.size(); ++i) different += hand.data()[i] != wanted.data()[i];
+  EXPECT_LT(different, area(wanted) / 30);
+}
+
+TEST(IsolateHand, AHoleAsLargeAsAnObjectStays) {
+  Mask mask = palm_and_arm();
+  for (int y = 80; y < 100; ++y) std::fill_n(mask.row(y) + 150, 20, std::uint8_t{0});
+  EXPECT_EQ(isolate_hand(mask).at(160, 90), 0);
+}
+
+TEST(IsolateHand, WhatFillsThePicturesBorderIsNoHand) {
+  EXPECT_EQ(area(isolate_hand(Mask(kWidth, kHeight, 255))), 0);
+}
+
+TEST(IsolateHand, AnEndlessOutlineIsNoHand) {
+  Mask comb(kWidth, kHeight);
+  for (int y = 40; y < 200; ++y) {
+    for (int x = 40; x < 280; ++x) comb.at(x, y) = x % 6 < 3 || y < 50 ? 255 : 0;
+  }
+  EXPECT_EQ(area(isolate_hand(comb)), 0);
+}
+
+TEST(FindHand, SkinBeforeAWallIsFound) {
+  const Mask hand = find_hand(painted(palm_and_arm(), kSkin));
+  EXPECT_EQ(hand.at(160, 90), 255);
+  EXPECT_GT(area(hand), 5000);
+}
+
+TEST(FindHand, AWallAloneAndOtherColoursAreNoHand) {
+  EXPECT_EQ(area(find_hand(ColorImage(kWidth, kHeight, kWall))), 0);
+  const Bgr magenta = {200, 80, 200}, green = {60, 180, 60};
+  EXPECT_EQ(area(find_hand(painted(palm_and_arm(), magenta))), 0);
+  EXPECT_EQ(area(find_hand(painted(palm_and_arm(), green))), 0);
+}
+
+TEST(FindHand, ARegionOfManyReddishTonesIsNoHand) {
+  const Mask mask = palm_and_arm();
+  ColorImage frame = painted(mask, kSkin);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 160; x < kWidth; ++x) {
+      const auto redder = static_cast<std::uint8_t>(std::min(2 * (x - 160), 60));
+      if (mask.at(x, y) == 0) continue;
+      frame.at(x, y) = {static_cast<std::uint8_t>(kSkin[0] - redder),
+                        static_cast<std::uint8_t>(kSkin[1] - redder),
+                        static_cast<std::uint8_t>(kSkin[2] + redder)};
+    }
+  }
+  EXPECT_EQ(area(find_hand(frame)), 0);
+}
+
+}  // namespace
+}  // namespace graspdb
