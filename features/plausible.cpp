@@ -16,9 +16,9 @@ namespace {
 constexpr double kLongestOutline = 13;  // hands 4.8 to 12.5
 constexpr double kWidestArm = 1;        // hands 0 to 0.85
 // OpenCV's hue, half degrees: 0 is red, 30 yellow, -30 magenta.
-constexpr int kLowestHue = -12, kHighestHue = 22;  // hands -10 to 13
+constexpr int kLowestHue = -12, kHighestHue = 18;  // hands -10 to 13
 // Of a* between the 10th and the 90th percentile.
-constexpr int kWidestRedness = 14;  // hands 5 to 11
+constexpr int kNarrowestRedness = 3, kWidestRedness = 14;  // hands 5 to 11
 
 using Histogram = std::array<int, 256>;
 
@@ -87,7 +87,8 @@ bool has_color_of_skin(const ColorImage& frame, const Mask& region) {
   const int hue = median_hue(frame, region);
   if (hue < kLowestHue || hue > kHighestHue) return false;
   const Histogram redness = histogram_inside(channel_of(frame, cv::COLOR_BGR2Lab, 1), region);
-  return quantile(redness, 0.9) - quantile(redness, 0.1) <= kWidestRedness;
+  const int width = quantile(redness, 0.9) - quantile(redness, 0.1);
+  return width >= kNarrowestRedness && width <= kWidestRedness;
 }
 
 }  // namespace graspdb

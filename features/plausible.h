@@ -10,7 +10,7 @@ namespace graspdb {
 // A hand's outline is long but not endless, and an arm leaves the picture in one place.
 bool has_shape_of_hand(const Mask& region);
 
-// The region's median hue is skin's, and its redness varies as little as one skin's does.
+// The region's median hue is skin's, and its redness varies as one skin's does under one light.
 bool has_color_of_skin(const ColorImage& frame, const Mask& region);
 
 }  // namespace graspdb

@@ -31,10 +31,17 @@ Mask palm_and_arm() {
   return mask;
 }
 
+// Lit from the left, as a hand is: half as bright on its right.
 ColorImage painted(const Mask& mask, const Bgr& color) {
   ColorImage frame(kWidth, kHeight, kWall);
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask.data()[i] != 0) frame.data()[i] = color;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      if (mask.at(x, y) == 0) continue;
+      const double light = std::clamp(1 - (x - 110) / 200.0, 0.5, 1.0);
+      for (std::size_t c = 0; c < 3; ++c) {
+        frame.at(x, y)[c] = static_cast<std::uint8_t>(light * color[c]);
+      }
+    }
   }
   return frame;
 }
@@ -78,6 +85,15 @@ TEST(FindHand, SkinBeforeAWallIsFound) {
   const Mask hand = find_hand(painted(palm_and_arm(), kSkin));
   EXPECT_EQ(hand.at(160, 90), 255);
   EXPECT_GT(area(hand), 5000);
+}
+
+TEST(FindHand, APatchOfOneTintIsNoHand) {
+  const Mask mask = palm_and_arm();
+  ColorImage frame(kWidth, kHeight, kWall);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask.data()[i] != 0) frame.data()[i] = kSkin;
+  }
+  EXPECT_EQ(area(find_hand(frame)), 0);
 }
 
 TEST(FindHand, AWallAloneAndOtherColoursAreNoHand) {
