@@ -25,6 +25,9 @@ inline void add_tracker_options(CLI::App& verb, TrackerSettings& settings) {
       ->check(CLI::Range(1, 1000));
   verb.add_option("--sigma-hog", values.sigma_hog, "Of the descriptor distance")
       ->check(CLI::Range(0.01, 100.0));
+  verb.add_option("--sigma-stretch", values.sigma_stretch,
+                  "Of the box's log aspect ratio against the row's")
+      ->check(CLI::Range(0.01, 100.0));
   verb.add_option("--sigma-pose", values.sigma_pose,
                   "Of the pose around the last answer (gaussian)")
       ->check(CLI::Range(0.01, 100.0));

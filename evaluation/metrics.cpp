@@ -14,7 +14,7 @@ namespace {
 double mean_of(const std::vector<FrameErrors>& frames, double FrameErrors::*metric) {
   double sum = 0;
   for (const FrameErrors& frame : frames) sum += frame.*metric;
-  return frames.empty() ? 0 : sum / static_cast<double>(frames.size());
+  return sum / static_cast<double>(frames.size());
 }
 
 double mean_distance_mm(const Keypoints& a, const Keypoints& b) {
@@ -48,7 +48,7 @@ FrameErrors compare(const Pose& estimate, const Pose& truth) {
 }
 
 Spread spread(std::vector<double> values) {
-  if (values.empty()) return {};
+  if (values.empty()) return {std::nan(""), std::nan(""), std::nan("")};
   std::sort(values.begin(), values.end());
   double sum = 0;
   for (double value : values) sum += value;
@@ -68,7 +68,7 @@ Summary summarize(const std::vector<FrameErrors>& frames) {
           mean_of(frames, &FrameErrors::joint_deg),
           mean_of(frames, &FrameErrors::mpjpe_mm),
           mean_of(frames, &FrameErrors::pa_mpjpe_mm),
-          frames.empty() ? 0 : static_cast<double>(flipped) / static_cast<double>(frames.size())};
+          static_cast<double>(flipped) / static_cast<double>(frames.size())};
 }
 
 }  // namespace graspdb

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <span>
 
+#include "graspdb/file.h"
 #include "graspdb/generator.h"
 #include "graspdb/parallel.h"
 #include "graspdb/posed_scene.h"
@@ -63,6 +64,7 @@ BuildReport build_database(const BuildConfig& config, const std::filesystem::pat
                            const Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   const Plan plan = make_plan(config);
+  FileAside(out).write("");  // an unwritable place is found before the work, not after it
   const std::size_t views = plan.views.size();
   std::vector<Row> rows(plan.row_count());
   std::mutex mutex;

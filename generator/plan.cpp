@@ -24,6 +24,11 @@ std::vector<Grasp> choose(std::vector<Grasp> grasps, const std::vector<int>& onl
     if (found == grasps.end()) {
       throw Error({directory.string(), "id", fmt::format("a grasp {}", id), "none"});
     }
+    const auto same = [id](const Grasp& g) { return g.id == id; };
+    if (std::any_of(chosen.begin(), chosen.end(), same)) {
+      throw Error(
+          {.key = "only", .expected = "each grasp once", .found = fmt::format("{} twice", id)});
+    }
     chosen.push_back(*found);
   }
   return chosen;

@@ -20,6 +20,7 @@ Intrinsics mirrored(const Intrinsics& camera) {
 }
 
 Estimate mirrored(Estimate estimate, int image_width) {
+  if (estimate.box.width == 0) return estimate;
   const Eigen::Vector3d flip(-1, 1, 1);
   estimate.box.x = image_width - estimate.box.x - estimate.box.width;
   estimate.camera_from_hand = flip.asDiagonal() * estimate.camera_from_hand * flip.asDiagonal();

@@ -25,4 +25,9 @@ Placement place(const Box& observed, const Intrinsics& camera, const BoxTangents
           ray * (row_distance * enlarged / scale)};
 }
 
+double log_stretch(const Box& observed, const Intrinsics& camera, const BoxTangents& row_box) {
+  return std::log((observed.width / camera.fx) / (observed.height / camera.fy) /
+                  (static_cast<double>(row_box.width) / row_box.height));
+}
+
 }  // namespace graspdb

@@ -19,4 +19,8 @@ struct Placement {
 Placement place(const Box& observed, const Intrinsics& camera, const BoxTangents& row_box,
                 double row_distance);
 
+// How much wider for its height the observed box is than the row's, as a logarithm. The descriptor
+// does not know: it is stretched with its box.
+double log_stretch(const Box& observed, const Intrinsics& camera, const BoxTangents& row_box);
+
 }  // namespace graspdb

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/tracker.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -26,6 +28,10 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+// A box twice as wide for its height as the row's shows no hand in the row's pose.
+constexpr double kNearestJoint = 0.02;  // metres before the camera
+const double kLargestStretch = std::log(2.0);
+
 double descriptor_distance(const Neighbor& neighbour) {
   return std::sqrt(static_cast<double>(neighbour.squared_distance)) / 255;
 }
@@ -33,7 +39,10 @@ double descriptor_distance(const Neighbor& neighbour) {
 }  // namespace
 
 Tracker::Tracker(const Database& database, const Search& search, const TrackerOptions& options)
-    : database_(database), search_(search), options_(options) {
+    : database_(database),
+      search_(search),
+      options_(options),
+      hog_(hog_from_name(database.info().hog, database.path().string())) {
   GRASPDB_CHECK(options.neighbours >= 1 && options.sigma_hog > 0 && options.sigma_pose > 0 &&
                 options.bandwidth > 0 && options.max_distance > 0);
 }
@@ -54,12 +63,14 @@ Estimate Tracker::step_right(const Observation& seen) {
     return estimate;
   }
   estimate.box = *box;
-  const HogOptions hog = hog_from_name(database_.info().hog, database_.path().string());
-  const Descriptor query = describe(seen.gray, seen.hand, hog);
+  const Descriptor query = describe(seen.gray, seen.hand, hog_);
   estimate.ms.describe = watch.lap_ms();
   const std::vector<Neighbor> neighbours = search_.nearest(query, options_.neighbours);
   estimate.ms.search = watch.lap_ms();
-  if (neighbours.empty()) return estimate;
+  if (neighbours.empty()) {
+    forget();
+    return estimate;
+  }
   estimate.distance = descriptor_distance(neighbours.front());
   // 1 for a perfect match, one half at the limit.
   estimate.confidence = std::exp2(-std::pow(estimate.distance / options_.max_distance, 2));
@@ -68,11 +79,25 @@ Estimate Tracker::step_right(const Observation& seen) {
     return estimate;
   }
   std::vector<Candidate> candidates = look_up(neighbours, seen, *box);
+  if (candidates.empty()) {
+    forget();
+    return estimate;
+  }
   weigh(candidates);
   describe_best(candidates, seen, estimate);
   previous_ = std::move(candidates);
   estimate.ms.temporal = watch.lap_ms();
   return estimate;
+}
+
+// Opening a database checks its header only; what is used of its content is checked here.
+void Tracker::check_row(std::uint32_t row) const {
+  const auto label = database_.label(row);
+  const bool finite =
+      std::all_of(label.begin(), label.end(), [](float v) { return std::isfinite(v); });
+  if (finite && database_.hand(row) < database_.info().hands.size()) return;
+  throw Error({database_.path().string(), fmt::format("row {}", row),
+               "finite labels and a hand of the header", "an altered row: see `graspdb verify`"});
 }
 
 // The neighbours' poses as this camera would see them, weighted by the observation.
@@ -81,6 +106,12 @@ std::vector<Tracker::Candidate> Tracker::look_up(const std::vector<Neighbor>& ne
   std::vector<Candidate> candidates;
   const double nearest = neighbours.front().squared_distance;
   for (const Neighbor& neighbour : neighbours) {
+    check_row(neighbour.row);
+    const BoxTangents row_box = database_.box(neighbour.row);
+    // A row whose hand is wholly hidden answers nothing.
+    if (!(row_box.width > 0 && row_box.height > 0)) continue;
+    const double stretch = log_stretch(box, seen.camera, row_box);
+    if (std::abs(stretch) > kLargestStretch) continue;
     const auto label = database_.label(neighbour.row);
     const Placement placed =
         place(box, seen.camera, database_.box(neighbour.row), database_.info().camera_distance);
@@ -88,7 +119,9 @@ std::vector<Tracker::Candidate> Tracker::look_up(const std::vector<Neighbor>& ne
     candidate.camera_from_hand = placed.camera_from_row_camera * label_rotation(label);
     candidate.pose = pose_vector(candidate.camera_from_hand, label_angles(label));
     const double further = (neighbour.squared_distance - nearest) / (255.0 * 255.0);
-    candidate.log_weight = -further / (2 * options_.sigma_hog * options_.sigma_hog);
+    candidate.log_weight =
+        -further / (2 * options_.sigma_hog * options_.sigma_hog) -
+        stretch * stretch / (2 * options_.sigma_stretch * options_.sigma_stretch);
     candidates.push_back(std::move(candidate));
   }
   return candidates;
@@ -98,7 +131,6 @@ void Tracker::describe_best(const std::vector<Candidate>& candidates, const Obse
                             Estimate& estimate) const {
   const Candidate& best = candidates.front();
   const Skeleton& skeleton = database_.info().hands[database_.hand(best.row)].skeleton;
-  estimate.valid = true;
   estimate.row = best.row;
   estimate.grasp = database_.grasp(best.row);
   estimate.step = database_.step(best.row);
@@ -116,6 +148,8 @@ void Tracker::describe_best(const std::vector<Candidate>& candidates, const Obse
   estimate.joints =
       (best.camera_from_hand * keypoints_in_palm(skeleton, estimate.angles)).colwise() +
       estimate.wrist;
+  // A box that fills the frame can put joints behind the camera: then nothing is known.
+  estimate.valid = estimate.joints.row(2).minCoeff() > kNearestJoint;
   for (int i = 0; i < kKeypointCount; ++i) {
     estimate.joints_px.col(i) = seen.camera.project(estimate.joints.col(i));
   }

@@ -58,7 +58,11 @@ class BarTracker : public ::testing::Test {
     Row row;
     row.hog = describe(picture.gray, picture.mask);
     row.label[2] = static_cast<float>(angle);
-    row.box = {-0.075F, -0.075F, 0.15F, 0.15F};
+    const Box box = tight_box(picture.mask).value();
+    row.box = {static_cast<float>((box.x - 0.5 - kCamera.cx) / kCamera.fx),
+               static_cast<float>((box.y - 0.5 - kCamera.cy) / kCamera.fy),
+               static_cast<float>(box.width / kCamera.fx),
+               static_cast<float>(box.height / kCamera.fy)};
     row.grasp = static_cast<std::uint16_t>(grasp);
     row.step = 1;
     return row;
@@ -160,6 +164,25 @@ TEST_F(BarTracker, WhatLooksLikeNoRowIsInvalid) {
   EXPECT_FALSE(estimate.valid);
   EXPECT_LT(estimate.confidence, 0.5);
   EXPECT_GT(estimate.box.width, 0);
+}
+
+TEST_F(BarTracker, ARowsOwnPictureIsAsFarAwayAsTheRowWas) {
+  Tracker tracker = this->tracker({.temporal = TemporalModel::kNone});
+  const Estimate estimate = show(tracker, bar(angle_of(1)));
+  const Eigen::Vector3d palm =
+      estimate.wrist +
+      estimate.camera_from_hand * palm_centre(testing::toy_skeleton(), estimate.angles);
+  EXPECT_LT((palm - Eigen::Vector3d(0, 0, 0.7)).norm(), 1e-3);
+}
+
+// The descriptor is stretched with its box: only the aspect ratio tells these apart.
+TEST_F(BarTracker, ABoxOfAnotherShapeIsNoHand) {
+  Tracker tracker = this->tracker({.temporal = TemporalModel::kNone, .neighbours = 1});
+  Picture wide;
+  for (int y = 43; y < 53; ++y) {
+    for (int x = 4; x < 92; ++x) wide.mask.at(x, y) = wide.gray.at(x, y) = 255;
+  }
+  EXPECT_FALSE(show(tracker, wide).valid);
 }
 
 TEST_F(BarTracker, JointsProjectWhereTheySay) {

@@ -39,7 +39,7 @@ struct EvalRow {
   std::string sequence;
   TemporalModel temporal = TemporalModel::kNone;
   double alpha = 0;
-  Summary errors;              // over the frames with a valid estimate
+  Summary errors;              // over all frames; without an answer the last one stands
   double valid = 0;            // their share
   double smallest_box_px = 0;  // height of the smallest hand box
   double median_distance = 0;  // of the nearest descriptor

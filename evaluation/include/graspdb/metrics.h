@@ -34,7 +34,7 @@ double pa_mpjpe_mm(const Keypoints& a, const Keypoints& b);  // Umeyama's simila
 struct Spread {
   double mean = 0, median = 0, p90 = 0;
 };
-Spread spread(std::vector<double> values);  // all 0 for no values
+Spread spread(std::vector<double> values);  // all NaN for no values
 
 struct Summary {
   double pose_error = 0;
@@ -44,6 +44,6 @@ struct Summary {
   double pa_mpjpe_mm = 0;
   double flips = 0;  // the share of frames whose rotation is off by more than 90 degrees
 };
-Summary summarize(const std::vector<FrameErrors>& frames);
+Summary summarize(const std::vector<FrameErrors>& frames);  // all NaN for no frames
 
 }  // namespace graspdb

@@ -11,6 +11,7 @@
 
 #include "graspdb/camera.h"
 #include "graspdb/database.h"
+#include "graspdb/hog.h"
 #include "graspdb/image.h"
 #include "graspdb/pose_vector.h"
 #include "graspdb/search.h"
@@ -27,12 +28,13 @@ enum class TemporalModel {
 
 struct TrackerOptions {
   TemporalModel temporal = TemporalModel::kKde;
-  int neighbours = 20;        // k, 1..1000
-  double sigma_hog = 1;       // of the descriptor distance (a row's 255 counts as 1)
-  double sigma_pose = 0.5;    // of the pose vector around the previous answer
-  double bandwidth = 0.5;     // of the pose vector around each previous hypothesis
-  double max_distance = 6.5;  // a nearest descriptor further away is no hand
-  bool left_hand = false;     // the frame is mirrored on the way in, the answer on the way out
+  int neighbours = 20;          // k, 1..1000
+  double sigma_hog = 1;         // of the descriptor distance (a row's 255 counts as 1)
+  double sigma_stretch = 0.15;  // of the logarithm of the box's aspect ratio over the row's
+  double sigma_pose = 0.5;      // of the pose vector around the previous answer
+  double bandwidth = 0.5;       // of the pose vector around each previous hypothesis
+  double max_distance = 6;      // a nearest descriptor further away is no hand
+  bool left_hand = false;       // the frame is mirrored on the way in, the answer on the way out
 };
 
 // What the tracker is shown: one segmented frame.
@@ -71,7 +73,8 @@ struct Estimate {
   StageTimes ms;
 };
 
-// Not thread-safe; database and search must outlive it.
+// Throws Error for a database whose rows were altered. Not thread-safe; database and search must
+// outlive it.
 class Tracker {
  public:
   Tracker(const Database& database, const Search& search, const TrackerOptions& options);
@@ -92,6 +95,7 @@ class Tracker {
   Estimate step_right(const Observation& observation);
   std::vector<Candidate> look_up(const std::vector<Neighbor>& neighbours, const Observation& seen,
                                  const Box& box) const;
+  void check_row(std::uint32_t row) const;
   double log_prior(const PoseVector& pose) const;
   void weigh(std::vector<Candidate>& candidates) const;
   void describe_best(const std::vector<Candidate>& candidates, const Observation& seen,
@@ -100,6 +104,7 @@ class Tracker {
   const Database& database_;
   const Search& search_;
   TrackerOptions options_;
+  HogOptions hog_;
   std::vector<Candidate> previous_;  // heaviest first
 };
 
