@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "graspdb/error.h"
+#include "graspdb/parallel.h"
 #include "graspdb/posed_scene.h"
 #include "graspdb/rig.h"
 #include "graspdb/views.h"
@@ -32,20 +33,6 @@ std::vector<Grasp> choose(std::vector<Grasp> grasps, const std::vector<int>& onl
     chosen.push_back(*found);
   }
   return chosen;
-}
-
-// The committed pose where there is one, otherwise the hand is closed here and now.
-std::vector<GraspPose> close_all(const Hand& hand, const std::vector<Grasp>& grasps,
-                                 const std::filesystem::path& directory) {
-  const auto file = directory / "closed" / (hand.name + ".toml");
-  std::map<int, GraspPose> committed;
-  if (std::filesystem::exists(file)) committed = load_closed_poses(file);
-  std::vector<GraspPose> poses;
-  for (const Grasp& grasp : grasps) {
-    const auto found = committed.find(grasp.id);
-    poses.push_back(found != committed.end() ? found->second : close_grasp(grasp, hand));
-  }
-  return poses;
 }
 
 std::vector<bool> variants_of(Objects objects) {
@@ -92,7 +79,9 @@ Plan make_plan(const BuildConfig& config) {
   plan.rest = load_rest_pose(config.grasps);
   for (const auto& file : config.hands) {
     const Hand hand = load_hand(file);
-    plan.closed.push_back(close_all(hand, plan.grasps, config.grasps));
+    std::vector<GraspPose>& closed = plan.closed.emplace_back(plan.grasps.size());
+    parallel_for(closed.size(), config.threads,
+                 [&](std::size_t i) { closed[i] = closed_pose(plan.grasps[i], hand); });
     plan.hands.push_back(with_visible_forearm(hand, config.visible_forearm));
   }
   plan.variant_holds = variants_of(config.objects);

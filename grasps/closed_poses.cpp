@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "angle_tables.h"
 #include "graspdb/closing.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
+#include "graspdb/hash.h"
 #include "graspdb/text.h"
 
 namespace graspdb {
@@ -31,36 +34,56 @@ GraspPose read_pose(const TomlTable& table) {
 
 }  // namespace
 
-std::map<int, GraspPose> load_closed_poses(const std::filesystem::path& path) {
+ClosedPoses load_closed_poses(const std::filesystem::path& path) {
   const TomlTable file = TomlTable::load(path);
-  file.string("hand");
-  std::map<int, GraspPose> poses;
+  ClosedPoses closed{.hand = file.string("hand")};
+  closed.hand_length = file.number("hand_length_mm", 100, 300) / 1000;
   for (const TomlTable& table : file.tables("grasp")) {
     const int id = table.integer("number", 1, 65535);
-    if (!poses.emplace(id, read_pose(table)).second) {
+    closed.grasp_hashes[id] = table.string("grasp_hash");
+    if (!closed.poses.emplace(id, read_pose(table)).second) {
       table.fail("number", "a number of its own", std::to_string(id));
     }
     table.finish();
   }
   file.finish();
-  return poses;
+  return closed;
 }
 
-void save_closed_poses(const std::filesystem::path& path, const std::string& hand_name,
-                       const std::map<int, GraspPose>& poses) {
+void save_closed_poses(const std::filesystem::path& path, const ClosedPoses& closed) {
   std::string text = fmt::format(
       "# Written by `graspdb grasp close`: each grasp closed on this hand. Do not edit.\n"
       "# object_rotation_deg is the rotation vector of the object's frame in the hand's.\n"
-      "hand = \"{}\"\n",
-      hand_name);
-  for (const auto& [id, pose] : poses) {
+      "hand = \"{}\"\nhand_length_mm = {:.4f}\n",
+      closed.hand, closed.hand_length * 1000);
+  for (const auto& [id, pose] : closed.poses) {
     const RigidTransform& placed = pose.hand_from_object;
     const Eigen::Vector3d turned = vector_from_rotation(placed.rotation) / radians(1);
-    text += fmt::format("\n[[grasp]]\nnumber = {}\n{}", id, write_angles(pose.angles));
+    text += fmt::format("\n[[grasp]]\nnumber = {}\ngrasp_hash = \"{}\"\n{}", id,
+                        closed.grasp_hashes.at(id), write_angles(pose.angles));
     text += fmt::format("object_position_mm = {}\nobject_rotation_deg = {}\n",
                         write_vector(placed.translation * 1000, 5), write_vector(turned, 6));
   }
   write_text(path, text);
+}
+
+std::filesystem::path closed_poses_file(const Grasp& grasp, const Hand& hand) {
+  return grasp.file.parent_path() / "closed" / (hand.name + ".toml");
+}
+
+std::string grasp_hash(const Grasp& grasp) {
+  return hash_hex(read_text(grasp.file));
+}
+
+GraspPose closed_pose(const Grasp& grasp, const Hand& hand) {
+  constexpr double kSameLength = 1e-5;  // metres
+  const std::filesystem::path file = closed_poses_file(grasp, hand);
+  if (!std::filesystem::exists(file)) return close_grasp(grasp, hand);
+  const ClosedPoses closed = load_closed_poses(file);
+  const auto hash = closed.grasp_hashes.find(grasp.id);
+  const bool same_hand = std::abs(closed.hand_length - hand_length(hand.skeleton)) < kSameLength;
+  const bool same_grasp = hash != closed.grasp_hashes.end() && hash->second == grasp_hash(grasp);
+  return same_hand && same_grasp ? closed.poses.at(grasp.id) : close_grasp(grasp, hand);
 }
 
 }  // namespace graspdb

@@ -28,7 +28,7 @@ class Check : public ::testing::Test {
 
   Grasp grasp_ = load_grasp(kGrasps / "14_tripod.toml");
   JointAngles rest_ = load_rest_pose(kGrasps);
-  GraspPose closed_ = load_closed_poses(kGrasps / "closed/male.toml").at(14);
+  GraspPose closed_ = load_closed_poses(kGrasps / "closed/male.toml").poses.at(14);
 };
 
 TEST_F(Check, PassesASoundGraspAndReportsItsSteps) {
@@ -93,7 +93,7 @@ TEST_F(Check, FindsDigitsThatOverlap) {
 
 TEST(CommittedGrasps, PassEveryGateOnTheMaleHand) {
   const JointAngles rest = load_rest_pose(kGrasps);
-  const std::map<int, GraspPose> closed = load_closed_poses(kGrasps / "closed/male.toml");
+  const std::map<int, GraspPose> closed = load_closed_poses(kGrasps / "closed/male.toml").poses;
   for (const Grasp& grasp : load_grasps(kGrasps)) {
     EXPECT_THAT(check_grasp(grasp, male(), rest, closed.at(grasp.id)).failures, IsEmpty())
         << grasp.name;

@@ -22,11 +22,20 @@ GraspPose random_pose(std::uint64_t seed) {
   return pose;
 }
 
+ClosedPoses toy_poses(const std::map<int, GraspPose>& poses) {
+  ClosedPoses closed{.hand = "toy", .hand_length = 0.18, .poses = poses};
+  for (const auto& [id, pose] : poses) closed.grasp_hashes[id] = "hash " + std::to_string(id);
+  return closed;
+}
+
 TEST(ClosedPoses, ReturnFromTheirFileToAHundredthOfAMillimetre) {
   const testing::TemporaryDirectory folder;
   const std::map<int, GraspPose> poses = {{3, random_pose(1)}, {101, random_pose(2)}};
-  save_closed_poses(folder / "toy.toml", "toy", poses);
-  const std::map<int, GraspPose> loaded = load_closed_poses(folder / "toy.toml");
+  save_closed_poses(folder / "toy.toml", toy_poses(poses));
+  const ClosedPoses back = load_closed_poses(folder / "toy.toml");
+  EXPECT_EQ(back.hand_length, 0.18);
+  EXPECT_EQ(back.grasp_hashes.at(101), "hash 101");
+  const std::map<int, GraspPose>& loaded = back.poses;
   ASSERT_EQ(loaded.size(), 2U);
   for (const auto& [id, pose] : poses) {
     EXPECT_LT((loaded.at(id).angles - pose.angles).cwiseAbs().maxCoeff(), 1e-7);
@@ -42,13 +51,14 @@ TEST(ClosedPoses, AnglesAtTheirLimitsReturn) {
   const testing::TemporaryDirectory folder;
   GraspPose pose;
   for (int i = 0; i < kAngleCount; ++i) pose.angles[i] = angle_info(i).upper;
-  save_closed_poses(folder / "toy.toml", "toy", {{1, pose}});
-  EXPECT_TRUE(load_closed_poses(folder / "toy.toml").at(1).angles.isApprox(pose.angles, 1e-9));
+  save_closed_poses(folder / "toy.toml", toy_poses({{1, pose}}));
+  EXPECT_TRUE(
+      load_closed_poses(folder / "toy.toml").poses.at(1).angles.isApprox(pose.angles, 1e-9));
 }
 
 TEST(ClosedPoses, RefuseOneNumberTwiceAndUnknownKeys) {
   const testing::TemporaryDirectory folder;
-  save_closed_poses(folder / "toy.toml", "toy", {{1, random_pose(1)}});
+  save_closed_poses(folder / "toy.toml", toy_poses({{1, random_pose(1)}}));
   const std::string text = read_text(folder / "toy.toml");
   write_text(folder / "twice.toml", text + text.substr(text.find("[[grasp]]")));
   EXPECT_THROW(load_closed_poses(folder / "twice.toml"), Error);

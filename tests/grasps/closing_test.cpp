@@ -37,7 +37,7 @@ TEST(Closing, GivesTheSameBitsTwice) {
 TEST(Closing, AgreesWithTheCommittedPoseToATenthOfAMillimetre) {
   const Hand hand = load_hand(GRASPDB_SOURCE_DIR "/assets/hands/male.glb");
   const Grasp grasp = load_grasp(kGrasps / "09_palmar_pinch.toml");
-  const GraspPose committed = load_closed_poses(kGrasps / "closed/male.toml").at(9);
+  const GraspPose committed = load_closed_poses(kGrasps / "closed/male.toml").poses.at(9);
   const GraspPose closed = close_grasp(grasp, hand);
   const Mesh a = pose_skin(hand, closed.angles), b = pose_skin(hand, committed.angles);
   for (std::size_t v = 0; v < a.vertices.size(); ++v) {
@@ -47,6 +47,30 @@ TEST(Closing, AgreesWithTheCommittedPoseToATenthOfAMillimetre) {
     const Eigen::Vector3d p = v.cast<double>();
     ASSERT_LT((closed.hand_from_object * p - committed.hand_from_object * p).norm(), 1e-4);
   }
+}
+
+// The committed pose holds for this hand and this file only.
+TEST(ClosedPose, IsClosedAnewForAnotherHandOfTheSameNameAndForAnEditedFile) {
+  const testing::TemporaryDirectory folder;
+  std::filesystem::create_directory(folder / "closed");
+  std::filesystem::copy_file(kGrasps / "09_palmar_pinch.toml", folder / "pinch.toml");
+  const Grasp grasp = load_grasp(folder / "pinch.toml");
+  Hand hand = load_hand(kSource / "assets/hands/male.glb");
+  GraspPose marked = closed_pose(grasp, hand);
+  marked.angles[kWristFlexion] = 0.5;  // no closing gives that
+  const ClosedPoses closed{.hand = hand.name,
+                           .hand_length = hand_length(hand.skeleton),
+                           .poses = {{9, marked}},
+                           .grasp_hashes = {{9, grasp_hash(grasp)}}};
+  save_closed_poses(closed_poses_file(grasp, hand), closed);
+  EXPECT_NEAR(closed_pose(grasp, hand).angles[kWristFlexion], 0.5, 1e-6);
+
+  Hand longer = hand;
+  for (Eigen::Vector3d& tip : longer.skeleton.tip_in_distal) tip *= 1.05;
+  EXPECT_NE(closed_pose(grasp, longer).angles[kWristFlexion], 0.5);
+
+  write_text(grasp.file, read_text(grasp.file) + "\n# edited\n");
+  EXPECT_NE(closed_pose(grasp, hand).angles[kWristFlexion], 0.5);
 }
 
 }  // namespace

@@ -36,9 +36,23 @@ struct GraspCheck {
 GraspCheck check_grasp(const Grasp& grasp, const Hand& hand, const JointAngles& rest,
                        const GraspPose& closed);
 
-// The committed closed poses of one hand: grasps/closed/<hand>.toml, by grasp id.
-std::map<int, GraspPose> load_closed_poses(const std::filesystem::path& file);
-void save_closed_poses(const std::filesystem::path& file, const std::string& hand_name,
-                       const std::map<int, GraspPose>& poses);
+// The committed closed poses of one hand: grasps/closed/<hand>.toml beside the grasp files, by
+// grasp id.
+struct ClosedPoses {
+  std::string hand;
+  double hand_length = 0;  // metres; tells a hand of the same name from another
+  std::map<int, GraspPose> poses;
+  std::map<int, std::string> grasp_hashes;  // of the grasp files that were closed
+};
+ClosedPoses load_closed_poses(const std::filesystem::path& file);
+void save_closed_poses(const std::filesystem::path& file, const ClosedPoses& closed);
+std::filesystem::path closed_poses_file(const Grasp& grasp, const Hand& hand);
+
+// Of the grasp file as it is now.
+std::string grasp_hash(const Grasp& grasp);
+
+// The committed pose when it was closed on this hand from this very grasp file, else the hand is
+// closed here and now. Thread-safe.
+GraspPose closed_pose(const Grasp& grasp, const Hand& hand);
 
 }  // namespace graspdb
