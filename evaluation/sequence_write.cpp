@@ -77,6 +77,35 @@ json describe_sequence(const SequenceSpec& spec, const NoiseOptions& noise) {
           {"noise", {{"alpha_percent", noise.alpha_percent}, {"seed", noise.seed}}}};
 }
 
+// Removes what an earlier, perhaps longer, sequence left there. Without sequence.json an unfinished
+// folder is not taken for a sequence.
+void prepare_folder(const std::filesystem::path& directory) {
+  for (const char* file : {"sequence.json", "truth.jsonl"})
+    std::filesystem::remove(directory / file);
+  for (const char* name : {"frames", "masks", "noisy"}) {
+    const std::filesystem::path folder = directory / name;
+    std::filesystem::create_directories(folder);
+    std::vector<std::filesystem::path> stale;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.path().extension() == ".png") stale.push_back(entry.path());
+    }
+    for (const auto& file : stale) std::filesystem::remove(file);
+  }
+}
+
+void check_positive(const std::filesystem::path& file, const char* key, double value) {
+  if (value > 0) return;
+  throw Error({file.string(), key, "more than 0", fmt::format("{}", value)});
+}
+
+void check_header(const WrittenSequence& sequence, const std::filesystem::path& file) {
+  check_positive(file, "frames_per_second", sequence.frames_per_second);
+  check_positive(file, "camera.width_px", sequence.camera.width);
+  check_positive(file, "camera.height_px", sequence.camera.height);
+  check_positive(file, "camera.fx_px", sequence.camera.fx);
+  check_positive(file, "camera.fy_px", sequence.camera.fy);
+}
+
 }  // namespace
 
 void write_sequence(const SequenceRenderer& renderer, const std::filesystem::path& directory,
@@ -84,8 +113,7 @@ void write_sequence(const SequenceRenderer& renderer, const std::filesystem::pat
   const auto count = static_cast<std::size_t>(renderer.spec().frame_count());
   std::mutex mutex;
   std::size_t done = 0;
-  for (const char* folder : {"frames", "masks", "noisy"})
-    std::filesystem::create_directories(directory / folder);
+  prepare_folder(directory);
   parallel_for(count, 0, [&](std::size_t i) {
     const SequenceFrame frame = renderer.render(static_cast<int>(i));
     const std::string name = fmt::format("{:06}.png", i);
@@ -113,6 +141,7 @@ WrittenSequence read_sequence(const std::filesystem::path& directory) {
     sequence.camera = {camera.at("width_px"), camera.at("height_px"), camera.at("fx_px"),
                        camera.at("fy_px"),    camera.at("cx_px"),     camera.at("cy_px")};
     sequence.frames_per_second = header.at("frames_per_second").get<double>();
+    check_header(sequence, file);
     file = directory / "truth.jsonl";
     std::istringstream lines(read_text(file));
     for (std::string line; std::getline(lines, line);) {

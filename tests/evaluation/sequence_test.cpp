@@ -100,6 +100,17 @@ TEST_F(ShortSequence, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(read_color(directory / "frames/000002.png"), renderer_->render(2).color);
 }
 
+TEST_F(ShortSequence, PicturesOfALongerOneBeforeAreRemoved) {
+  const testing::TemporaryDirectory directory;
+  const auto stale = directory / "frames/000005.png", foreign = directory / "frames/notes.txt";
+  std::filesystem::create_directories(stale.parent_path());
+  write_text(stale, "");
+  write_text(foreign, "");
+  write_sequence(*renderer_, directory.path(), {});
+  EXPECT_FALSE(std::filesystem::exists(stale));
+  EXPECT_TRUE(std::filesystem::exists(foreign));
+}
+
 TEST(Sequence, AnObjectThatCollidesIsRefused) {
   SequenceSpec spec = short_spec();
   spec.grasp.object =

@@ -95,7 +95,7 @@ struct NoiseOptions {
 };
 
 // Writes frames/, masks/ (visible hand), noisy/ (the masks with segmentation noise), truth.jsonl
-// and sequence.json into `directory`.
+// and sequence.json into `directory`; what an earlier sequence left there is removed first.
 void write_sequence(const SequenceRenderer& renderer, const std::filesystem::path& directory,
                     const NoiseOptions& noise, const Progress& progress = {});
 
@@ -106,6 +106,7 @@ struct WrittenSequence {
   double frames_per_second = 10;
   std::vector<FrameTruth> truth;
 };
+// Throws Error for what is missing, malformed or not positive.
 WrittenSequence read_sequence(const std::filesystem::path& directory);
 
 }  // namespace graspdb
