@@ -6,41 +6,22 @@
 
 #include "console.h"
 #include "graspdb/metrics.h"
-#include "graspdb/random.h"
+#include "graspdb/search.h"
 #include "held_out_queries.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
 namespace {
 
-struct SearchSpeed {
-  std::string method;
-  Spread ms;
-  double recall = 0;  // of the exact k nearest
-};
-
-double share_found(const std::vector<Neighbor>& exact, const std::vector<Neighbor>& found) {
-  std::size_t common = 0;
-  for (const Neighbor& neighbour : exact) {
-    common += std::find(found.begin(), found.end(), neighbour) != found.end() ? 1 : 0;
-  }
-  return static_cast<double>(common) / static_cast<double>(exact.size());
-}
-
-SearchSpeed measure(const std::string& method, const Search& search, const Search& exact,
-                    const std::vector<Descriptor>& queries, int k) {
-  SearchSpeed result{.method = method};
+Spread time_ms(const Search& search, const std::vector<Descriptor>& queries, int k) {
   std::vector<double> ms;
   for (const Descriptor& query : queries) {
     const auto begin = std::chrono::steady_clock::now();
-    const auto found = search.nearest(query, k);
+    search.nearest(query, k);
     ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                      .count());
-    result.recall +=
-        share_found(exact.nearest(query, k), found) / static_cast<double>(queries.size());
   }
-  result.ms = spread(std::move(ms));
-  return result;
+  return spread(std::move(ms));
 }
 
 }  // namespace
@@ -65,16 +46,18 @@ void add_bench(CLI::App& app) {
     const auto exact = open_search(database, "exact");
     nlohmann::json lines = nlohmann::json::array();
     for (const std::string method : {"exact", "scan", "lsh"}) {
-      const auto search = open_search(database, method);
-      const SearchSpeed speed = measure(method, *search, *exact, queries, options->k);
+      const auto opened = method == "exact" ? nullptr : open_search(database, method);
+      const Search& search = opened ? *opened : *exact;
+      const double found = recall(search, *exact, queries, options->k);
+      const Spread ms = time_ms(search, queries, options->k);
       lines.push_back({{"search", method},
                        {"k", options->k},
-                       {"median_ms", speed.ms.median},
-                       {"p90_ms", speed.ms.p90},
-                       {"recall", speed.recall}});
+                       {"median_ms", ms.median},
+                       {"p90_ms", ms.p90},
+                       {"recall", found}});
       if (!options->json) {
         fmt::print("{:6} k {}  median {:.3f} ms  p90 {:.3f} ms  recall {:.4f}\n", method,
-                   options->k, speed.ms.median, speed.ms.p90, speed.recall);
+                   options->k, ms.median, ms.p90, found);
       }
     }
     if (options->json)
