@@ -19,7 +19,6 @@ namespace {
 
 struct Options {
   std::string file;
-  bool all = false;
   std::string hand;
   std::string out;
   bool json = false;
@@ -51,6 +50,7 @@ nlohmann::json to_json(const Grasp& grasp, const Hand& hand, const GraspCheck& c
   for (const StepCheck& step : check.steps) {
     steps.push_back({{"step", step.step},
                      {"penetration_mm", step.penetration_mm},
+                     {"volume_cm3", step.volume_cm3},
                      {"self_penetration_mm", step.self_penetration_mm},
                      {"contacts", step.contacts},
                      {"clearance_mm", step.clearance_mm}});
@@ -123,8 +123,10 @@ void run_sheet(const Options& options) {
 }
 
 void add_common(CLI::App& verb, Options& options) {
-  verb.add_option("FILE", options.file, "One grasp file [all of the project's]");
-  verb.add_flag("--all", options.all, "All grasps (the default without FILE)");
+  CLI::Option* file = verb.add_option("FILE", options.file, "One grasp file");
+  verb.add_flag("--all")
+      ->description("All of the project's grasps, as without FILE")
+      ->excludes(file);
   verb.add_option("--hand", options.hand, "A rigged hand [the male hand]");
 }
 
