@@ -51,9 +51,12 @@ void add_build(CLI::App& app) {
       app.add_subcommand("build", "Render a database of views of hands holding objects");
   verb->add_option("--out", options->out, "The database file to write")->required();
   verb->add_option("--hand", config.hands,
-                   "Rigged hand files, each with its rig map beside it [the male hand]");
+                   "A rigged hand with its rig map beside it; once for each [the male hand]")
+      ->allow_extra_args(false);
   verb->add_option("--grasps", config.grasps, "The folder of grasp files [the project's own]");
-  verb->add_option("--only", config.only, "Grasp numbers, by commas [all]")->delimiter(',');
+  verb->add_option("--only", config.only, "Grasp numbers, by commas [all]")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("--objects", config.objects,
                    "held: the object hides what it hides; free: the same poses without it; both")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Objects>{
@@ -69,7 +72,8 @@ void add_build(CLI::App& app) {
       ->check(CLI::Range(0.2, 5.0));
   verb->add_option("--forearm", options->visible_forearm_mm, "Visible forearm beyond the wrist, mm")
       ->check(CLI::Range(0.0, 300.0));
-  verb->add_option("--hog", options->hog, "The descriptor's mode");
+  verb->add_option("--hog", options->hog, "The descriptor's mode")
+      ->check(CLI::IsMember({"paper", "edges"}));
   verb->add_option("--threads", config.threads, "Threads, 0 for all processors; changes no byte")
       ->check(CLI::Range(0, 1024));
   verb->add_flag("--json", options->json, "The report as JSON");

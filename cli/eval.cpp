@@ -105,6 +105,7 @@ void add_eval(CLI::App& app) {
       ->required();
   verb->add_option("--alphas", options->alphas, "Segmentation noise, percent, by commas")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--seed", options->seed, "Seed of the segmentation noise");
   verb->add_option("--out", options->out, "A folder for eval.json");

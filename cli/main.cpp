@@ -2,8 +2,12 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <optional>
+#include <string>
 
 #include "verbs.h"
 
@@ -25,10 +29,37 @@ void describe(CLI::App& app) {
       "  graspdb VERB --help tells a verb's options");
 }
 
+// Faults are told once, by us.
+void silence_libraries() {
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  constexpr const char* kQuiet = "-8";  // AV_LOG_QUIET
+  ::setenv("OPENCV_FFMPEG_LOGLEVEL", kQuiet, 0);
+}
+
+// The word in the place of a verb that is none: CLI11 tells only that a verb is wanted.
+std::optional<std::string> unknown_verb(const CLI::App& app) {
+  const CLI::App* inner = &app;
+  while (!inner->get_subcommands().empty()) inner = inner->get_subcommands().front();
+  const auto unknown = inner->remaining();
+  if (inner->get_require_subcommand_min() == 0 || unknown.empty()) return std::nullopt;
+  return unknown.front();
+}
+
+int report_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  if (const auto word = unknown_verb(app)) {
+    fmt::print(stderr, "graspdb: no such verb: {}; graspdb --help lists them\n", *word);
+  } else {
+    app.exit(error);
+  }
+  return kWrongUse;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   namespace cli = graspdb::cli;
+  silence_libraries();
   cv::setNumThreads(1);  // our own loops are parallel where it pays
   CLI::App app("Views of hands that hold objects, and a tracker that reads them");
   describe(app);
@@ -41,8 +72,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {
-    const bool asked_for_help = error.get_exit_code() == 0;
-    return app.exit(error) == 0 && asked_for_help ? 0 : kWrongUse;
+    return report_wrong_use(app, error);
   } catch (const std::exception& error) {
     fmt::print(stderr, "graspdb: {}\n", error.what());
     return kFailed;
