@@ -21,7 +21,7 @@ class ProgressPrinter {
   void operator()(std::size_t done, std::size_t total) {
     const auto now = Clock::now();
     const std::chrono::duration<double> since_last = now - last_;
-    if (done < total && since_last.count() < (terminal_ ? 0.1 : 5.0)) return;
+    if (done != total && since_last.count() < (terminal_ ? 0.1 : 5.0)) return;
     last_ = now;
     const std::chrono::duration<double> taken = now - begin_;
     print(done, total, static_cast<double>(done) / std::max(taken.count(), 1e-9));
@@ -29,17 +29,22 @@ class ProgressPrinter {
 
  private:
   void print(std::size_t done, std::size_t total, double rate) const {
-    const double left = static_cast<double>(total - done) / std::max(rate, 1e-9);
-    const std::string figures = fmt::format("{} {} of {} {}, {:.0f} {}/s, {:.0f} s left", what_,
-                                            done, total, unit_, rate, unit_, left);
+    const std::string text = figures(done, total, rate);
     if (!terminal_) {
-      fmt::print(stderr, "{}\n", figures);
+      fmt::print(stderr, "{}\n", text);
       return;
     }
     constexpr std::size_t kWidth = 30;
-    const std::size_t filled = total == 0 ? kWidth : kWidth * done / total;
-    fmt::print(stderr, "\r[{:#<{}}{: <{}}] {}\033[K{}", "", filled, "", kWidth - filled, figures,
+    const std::size_t filled = total == 0 ? 0 : kWidth * done / total;
+    fmt::print(stderr, "\r[{:#<{}}{: <{}}] {}\033[K{}", "", filled, "", kWidth - filled, text,
                done == total ? "\n" : "");
+  }
+
+  std::string figures(std::size_t done, std::size_t total, double rate) const {
+    if (total == 0) return fmt::format("{} {} {}, {:.0f} {}/s", what_, done, unit_, rate, unit_);
+    const double left = static_cast<double>(total - done) / std::max(rate, 1e-9);
+    return fmt::format("{} {} of {} {}, {:.0f} {}/s, {:.0f} s left", what_, done, total, unit_,
+                       rate, unit_, left);
   }
 
   std::string what_, unit_;

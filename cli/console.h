@@ -16,7 +16,8 @@
 
 namespace graspdb::cli {
 
-// On a terminal a bar with rate and time left; elsewhere a line every few seconds.
+// On a terminal a bar with rate and time left; elsewhere a line every few seconds. A total of 0 is
+// unknown. The bar ends when done and total are equal.
 Progress console_progress(const std::string& what, const std::string& unit);
 
 std::filesystem::path default_hand();  // assets/hands/male.glb

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <opencv2/videoio.hpp>
 #include <set>
+#include <tuple>
 
 #include "graspdb/error.h"
 #include "graspdb/image_io.h"
@@ -32,12 +34,38 @@ bool is_picture(const fs::path& path) {
   return kEndings.contains(ending);
 }
 
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// A text that sorts numbers in a name by value: each goes without leading zeros after its length.
+std::string natural_key(const std::string& name) {
+  std::string key;
+  for (auto at = name.begin(); at != name.end();) {
+    if (!is_digit(*at)) {
+      key += *at++;
+      continue;
+    }
+    const auto end = std::find_if_not(at, name.end(), is_digit);
+    at = std::find_if(at, end, [](char c) { return c != '0'; });
+    key += fmt::format("{:03}{}", end - at, std::string(at, end));
+    at = end;
+  }
+  return key;
+}
+
+bool naturally_before(const fs::path& a, const fs::path& b) {
+  const std::string a_key = natural_key(a.filename().string());
+  const std::string b_key = natural_key(b.filename().string());
+  return std::tie(a_key, a) < std::tie(b_key, b);
+}
+
 std::vector<fs::path> pictures_of(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (is_picture(entry.path())) files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+  std::sort(files.begin(), files.end(), naturally_before);
   if (files.empty())
     throw Error(
         {.file = folder.string(), .expected = "pictures (.png, .jpg ...)", .found = "none"});
@@ -68,6 +96,10 @@ class Pictures : public FrameSource {
       : Pictures(sequence.directory / "frames",
                  masks.empty() ? sequence.directory / "noisy" : masks) {
     sequence_ = std::move(sequence);
+    if (files_.size() == sequence_->truth.size()) return;
+    throw Error({sequence_->directory.string(), "frames/",
+                 fmt::format("{} pictures, as truth.jsonl has lines", sequence_->truth.size()),
+                 fmt::format("{}", files_.size())});
   }
 
   std::optional<InputFrame> next() override {
@@ -95,22 +127,20 @@ class Pictures : public FrameSource {
 
 class Video : public FrameSource {
  public:
-  Video(const std::string& input, fs::path masks) : masks_(std::move(masks)) {
-    const std::string camera = "camera:";
-    const bool live = input.starts_with(camera);
-    const bool opened =
-        live ? capture_.open(std::atoi(input.c_str() + camera.size())) : capture_.open(input);
-    if (!opened)
-      throw Error({.file = input,
-                   .expected = "a video, a folder of pictures or camera:N",
-                   .found = "nothing that opens"});
-    if (!live)
-      count_ = static_cast<std::size_t>(std::max(0.0, capture_.get(cv::CAP_PROP_FRAME_COUNT)));
+  Video(const std::string& input, fs::path masks) : input_(input), masks_(std::move(masks)) {
+    const std::optional<int> camera = camera_number(input);
+    if (!camera && !fs::is_regular_file(input)) fail("no such file");
+    // Other backends than FFmpeg would take names of files for patterns and devices.
+    if (!(camera ? capture_.open(*camera) : capture_.open(input, cv::CAP_FFMPEG)))
+      fail(camera ? "no camera that opens" : "a file that is no video");
+    const double count = camera ? 0 : capture_.get(cv::CAP_PROP_FRAME_COUNT);
+    if (count > 0) count_ = static_cast<std::size_t>(count);
   }
 
   std::optional<InputFrame> next() override {
     cv::Mat frame;
     if (!capture_.read(frame)) return std::nullopt;
+    if (frame.type() != CV_8UC3) fail("frames that are not 8-bit colour");
     InputFrame result{
         .index = next_, .time = next_ / frames_per_second(), .color = to_image(frame)};
     if (!masks_.empty()) result.mask = read_mask(masks_, fmt::format("{:06}", next_), result.color);
@@ -124,6 +154,12 @@ class Video : public FrameSource {
   std::optional<std::size_t> count() const override { return count_; }
 
  private:
+  [[noreturn]] void fail(const char* found) const {
+    throw Error(
+        {.file = input_, .expected = "a video, a folder of pictures or camera:N", .found = found});
+  }
+
+  std::string input_;
   cv::VideoCapture capture_;
   fs::path masks_;
   std::optional<std::size_t> count_;
@@ -132,10 +168,20 @@ class Video : public FrameSource {
 
 }  // namespace
 
+std::optional<int> camera_number(const std::string& input) {
+  if (!input.starts_with(kCameraPrefix)) return std::nullopt;
+  const char* const end = input.data() + input.size();
+  int number = -1;
+  const auto [rest, fault] = std::from_chars(input.data() + kCameraPrefix.size(), end, number);
+  return fault == std::errc() && rest == end && number >= 0 ? std::optional(number) : std::nullopt;
+}
+
+bool is_sequence(const fs::path& input) {
+  return fs::exists(input / "sequence.json");
+}
+
 std::unique_ptr<FrameSource> open_source(const std::string& input, const fs::path& masks) {
-  if (fs::exists(fs::path(input) / "sequence.json")) {
-    return std::make_unique<Pictures>(read_sequence(input), masks);
-  }
+  if (is_sequence(input)) return std::make_unique<Pictures>(read_sequence(input), masks);
   if (fs::is_directory(input)) return std::make_unique<Pictures>(input, masks);
   return std::make_unique<Video>(input, masks);
 }

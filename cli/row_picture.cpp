@@ -28,10 +28,17 @@ ColorImage tint(const View& view) {
   return color;
 }
 
+ColorImage mirrored(ColorImage picture) {
+  for (int y = 0; y < picture.height(); ++y)
+    std::reverse(picture.row(y), picture.row(y) + picture.width());
+  return picture;
+}
+
 }  // namespace
 
-RowPicture::RowPicture(const Database& database)
+RowPicture::RowPicture(const Database& database, bool left_hand)
     : database_(database),
+      left_hand_(left_hand),
       grasps_(load_grasps(grasp_directory())),
       rest_(load_rest_pose(grasp_directory())) {}
 
@@ -57,6 +64,13 @@ const GraspPose& RowPicture::closed_of(const Grasp& grasp, const Hand& hand) {
   return entry->second;
 }
 
+// Mirroring x turns a left hand into the right one that the tracker saw.
+Eigen::Matrix3d RowPicture::right_hand_rotation(const Estimate& estimate) const {
+  if (!left_hand_) return estimate.camera_from_hand;
+  const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
+  return mirror * estimate.camera_from_hand * mirror;
+}
+
 std::optional<ColorImage> RowPicture::draw(const Estimate& estimate, int side) {
   const Hand* hand = hand_of(estimate.row);
   const Grasp* grasp = grasp_of(estimate.grasp);
@@ -65,9 +79,10 @@ std::optional<ColorImage> RowPicture::draw(const Estimate& estimate, int side) {
       pose_at_step(*grasp, rest_, closed_of(*grasp, *hand), estimate.step, database_.info().steps);
   const bool held = database_.info().variants[database_.variant(estimate.row)] == "held";
   const PosedScene posed = pose_scene(*hand, pose, held ? grasp->object.get() : nullptr);
-  const Camera camera = crop_camera(estimate.camera_from_hand, posed.centre,
+  const Camera camera = crop_camera(right_hand_rotation(estimate), posed.centre,
                                     database_.info().camera_distance, posed.hand_vertices, side);
-  return tint(render(posed.scene, camera));
+  const ColorImage picture = tint(render(posed.scene, camera));
+  return left_hand_ ? mirrored(picture) : picture;
 }
 
 }  // namespace graspdb::cli

@@ -18,7 +18,8 @@ namespace graspdb::cli {
 // estimated orientation. Needs the hand and grasp files that the database was built from.
 class RowPicture {
  public:
-  explicit RowPicture(const Database& database);
+  // `left_hand`: the estimates are of left hands, mirror images of the database's right ones.
+  RowPicture(const Database& database, bool left_hand);
 
   // A square picture; none when the row's hand or grasp is not among the project's data.
   std::optional<ColorImage> draw(const Estimate& estimate, int side);
@@ -26,9 +27,11 @@ class RowPicture {
  private:
   const Hand* hand_of(std::uint32_t row);
   const Grasp* grasp_of(int id) const;
+  Eigen::Matrix3d right_hand_rotation(const Estimate& estimate) const;
   const GraspPose& closed_of(const Grasp& grasp, const Hand& hand);
 
   const Database& database_;
+  bool left_hand_;
   std::vector<Grasp> grasps_;
   JointAngles rest_;
   std::map<std::string, std::optional<Hand>> hands_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <opencv2/highgui.hpp>
 
 #include "console.h"
@@ -24,6 +25,17 @@ namespace graspdb::cli {
 namespace {
 
 constexpr int kOverlayHeight = 360;
+constexpr int kMaxSide = 100000;  // of a picture, pixels
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// The first Ctrl-C ends the loop, so that what was tracked is kept; a second one ends the program.
+void end_loop_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = 1; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
+}
 
 struct Options {
   std::string database, input, masks, json, video;
@@ -31,6 +43,7 @@ struct Options {
   TrackerSettings tracker;
   double focal_px = 0;  // 0: guessed
   std::vector<int> roi;
+  SkinOptions skin;
   bool show = false;
 };
 
@@ -41,9 +54,6 @@ Intrinsics guess_camera(const ColorImage& frame, double focal_px) {
   camera.fx = camera.fy = focal_px > 0 ? focal_px : guess;
   camera.cx = (camera.width - 1) / 2.0;
   camera.cy = (camera.height - 1) / 2.0;
-  if (focal_px <= 0) {
-    fmt::print(stderr, "no --focal: {:.0f} px is taken, a guess; distances scale with it\n", guess);
-  }
   return camera;
 }
 
@@ -61,22 +71,23 @@ class Run {
       roi_ = Box{options.roi[0], options.roi[1], options.roi[2], options.roi[3]};
     if (!options.json.empty()) json_.emplace(options.json);
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
-    if (video_ || options.show) row_picture_.emplace(database_);
+    if (video_ || options.show) row_picture_.emplace(database_, tracker_options().left_hand);
   }
 
   void all_frames() {
     const Progress progress = console_progress("tracked", "frames");
     std::size_t done = 0;
     while (const auto frame = source_->next()) {
-      if (!camera_)
-        camera_ = source_->sequence() ? source_->sequence()->camera
-                                      : guess_camera(frame->color, options_.focal_px);
+      fit_camera(frame->color);
       one_frame(*frame);
-      if (source_->count()) progress(++done, std::max(done, *source_->count()));
-      if (stop_) break;
+      ++done;
+      const std::size_t count = source_->count().value_or(0);
+      progress(done, done < count ? count : 0);  // it may have been too low
+      if (stop_ || interrupted) break;
     }
-    if (statistics_.frames == 0)
+    if (done == 0)
       throw Error({.file = options_.input, .expected = "frames", .found = "none that can be read"});
+    progress(done, done);
   }
 
   void finish() {
@@ -94,6 +105,27 @@ class Run {
     return settings;
   }
 
+  // The pictures of a folder may be of several sizes.
+  void fit_camera(const ColorImage& frame) {
+    const auto fits = [&frame](const Intrinsics& camera) {
+      return camera.width == frame.width() && camera.height == frame.height();
+    };
+    if (camera_ && fits(*camera_)) return;
+    if (const WrittenSequence* sequence = source_->sequence()) {
+      camera_ = sequence->camera;
+      if (fits(*camera_)) return;
+      throw Error({sequence->directory.string(), "frames/",
+                   fmt::format("pictures of {} x {} pixels", camera_->width, camera_->height),
+                   fmt::format("{} x {}", frame.width(), frame.height())});
+    }
+    const bool first = !camera_;
+    camera_ = guess_camera(frame, options_.focal_px);
+    if (first && options_.focal_px <= 0) {
+      fmt::print(stderr, "no --focal: {:.0f} px is taken, a guess; distances scale with it\n",
+                 camera_->fx);
+    }
+  }
+
   void one_frame(const InputFrame& frame) {
     const auto begin = std::chrono::steady_clock::now();
     const auto since_begin = [&begin] {
@@ -101,7 +133,8 @@ class Run {
           .count();
     };
     const GrayImage gray = to_gray(frame.color);
-    const Mask hand = frame.mask ? isolate_hand(*frame.mask, roi_) : find_hand(frame.color, roi_);
+    const Mask hand = frame.mask ? isolate_hand(*frame.mask, roi_)
+                                 : find_hand(frame.color, roi_, options_.skin);
     const double segment_ms = since_begin();
     const Estimate estimate = tracker_.step({gray, hand, *camera_});
     const double total_ms = since_begin();
@@ -160,6 +193,24 @@ class Run {
   bool stop_ = false;
 };
 
+// Checks of CLI11: an empty answer says that all is well.
+std::string check_input(const std::string& input) {
+  const bool well = !input.starts_with(kCameraPrefix) || camera_number(input);
+  return well ? "" : fmt::format("{}: a camera is camera:N, N = 0, 1 ...", input);
+}
+
+std::string check_video(const std::string& file) {
+  const bool well = std::filesystem::path(file).extension() == ".mp4";
+  return well ? "" : fmt::format("{}: only .mp4 is written", file);
+}
+
+void check_together(const Options& options) {
+  if (!options.roi.empty() && (options.roi[2] <= 0 || options.roi[3] <= 0))
+    throw CLI::ValidationError("--roi", "width and height must be more than 0");
+  if (options.focal_px > 0 && is_sequence(options.input))
+    throw CLI::ValidationError("--focal", "a rendered sequence states its own camera");
+}
+
 }  // namespace
 
 void add_track(CLI::App& app) {
@@ -168,7 +219,8 @@ void add_track(CLI::App& app) {
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("INPUT", options->input,
                    "A video, a folder of pictures, camera:N, or the folder of a rendered sequence")
-      ->required();
+      ->required()
+      ->check(check_input);
   verb->add_option(
       "--masks", options->masks,
       "A folder of hand masks, named as the frames [skin segmentation; a sequence's noisy/]");
@@ -178,15 +230,24 @@ void add_track(CLI::App& app) {
   verb->add_option("--roi", options->roi,
                    "Only skin regions that touch this box: x,y,w,h in pixels")
       ->delimiter(',')
-      ->expected(4);
+      ->expected(4)
+      ->check(CLI::Range(-kMaxSide, kMaxSide));
+  verb->add_option("--skin", options->skin.rule,
+                   "redness: redder than the frame's own threshold; box: the paper's box in HSV")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, SkinRule>{
+          {"redness", SkinRule::kRedness}, {"box", SkinRule::kBox}}))
+      ->default_str("redness");
   verb->add_option("--handedness", options->handedness, "The hand that is seen")
       ->check(CLI::IsMember({"right", "left"}));
   verb->add_option("--json", options->json, "Write one JSON object a frame to this file");
   verb->add_option("--video", options->video,
-                   "Write frame, mask, HOG and estimate side by side to this .mp4");
+                   "Write frame, mask, HOG and estimate side by side to this .mp4")
+      ->check(check_video);
   verb->add_flag("--show", options->show, "Show the same in a window; q ends");
   verb->footer("Example: graspdb track hands.graspdb video.mp4 --focal 900 --video overlay.mp4");
   verb->callback([options] {
+    check_together(*options);
+    end_loop_on_signals();
     Run run(*options);
     run.all_frames();
     run.finish();
