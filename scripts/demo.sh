@@ -1,16 +1,24 @@
 #!/usr/bin/env bash
 # The main job from nothing: installs what is missing, builds, makes a database, and tracks with it.
 #   scripts/demo.sh                      renders evaluation sequences with noise and tracks them
-#   scripts/demo.sh VIDEO [OPTIONS ...]  tracks that video; options go to `graspdb track`
+#   scripts/demo.sh VIDEO [OPTIONS ...]  tracks that video, folder of pictures or camera:N; options
+#                                        go to `graspdb track`, with absolute paths
 set -euo pipefail
-video=${1:+$(realpath "$1")}
+case ${1-} in
+    "" | camera:*) video=${1-} ;;
+    *) video=$(realpath -e -- "$1" 2>/dev/null) || {
+        echo "demo.sh: $1: no video, folder of pictures or camera:N" >&2
+        exit 2
+    } ;;
+esac
 shift || true
 cd "$(dirname "$0")/.."
 
 scripts/install.sh
-cmake --preset release -DGRASPDB_BUILD_TESTS=OFF -DGRASPDB_BUILD_BENCH=OFF >/dev/null
-cmake --build --preset release --target graspdb
-graspdb=build/release/cli/graspdb
+build=build/demo # its own, so that no other build's options change
+cmake --preset release -B "$build" -DGRASPDB_BUILD_TESTS=OFF -DGRASPDB_BUILD_BENCH=OFF >/dev/null
+cmake --build "$build" --target graspdb
+graspdb=$build/cli/graspdb
 out=out/demo
 mkdir -p "$out"
 
@@ -30,6 +38,8 @@ for sequence in bottle box; do
     "$graspdb" track "$out/hands.graspdb" "$out/$sequence" \
         --json "$out/$sequence.jsonl" --video "$out/$sequence.mp4" | tee "$out/$sequence.txt"
 done
+# The same without noise, by every temporal model.
+"$graspdb" eval "$out/hands.graspdb" --sequences sequences/test --alphas 0 | tee "$out/eval.txt"
 "$graspdb" index "$out/hands.graspdb" --method lsh
 "$graspdb" bench "$out/hands.graspdb"
 echo "grasps: $out/grasps.png"
