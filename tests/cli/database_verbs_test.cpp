@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// build, info, verify, index, bench and grasp check: what they print and how they refuse.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "graspdb/file.h"
+#include "program.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::lines_of;
+using testing::Outcome;
+using testing::run_program;
+using ::testing::StartsWith;
+
+void expect_refused(const Outcome& outcome, const std::string& told) {
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_EQ(lines_of(outcome.err), 1) << outcome.err;
+  EXPECT_THAT(outcome.err, StartsWith("graspdb: "));
+  EXPECT_THAT(outcome.err, HasSubstr(told));
+}
+
+TEST(DatabaseVerbs, ADatabaseIsBuiltDescribedVerifiedIndexedAndSearched) {
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory / "tiny.graspdb").string();
+  const Outcome built = testing::build_tiny(file);
+  ASSERT_EQ(built.code, 0) << built.err;
+  const json report = json::parse(built.out);
+  EXPECT_EQ(report.at("rows"), 24);
+  EXPECT_EQ(report.at("bytes"), std::filesystem::file_size(file));
+  EXPECT_GT(report.at("rows_per_second"), 0);
+  EXPECT_GT(report.at("seconds"), 0);
+
+  const json info = json::parse(run_program("info --json " + file).out);
+  EXPECT_EQ(info.at("rows"), 24);
+  EXPECT_EQ(info.at("content_hash"), report.at("content_hash"));
+  EXPECT_EQ(info.at("grasps").at(0).at("id"), 9);
+  EXPECT_EQ(info.at("config").at("resolution_px"), 32);
+  for (const char* key : {"hands", "variants", "steps", "views", "view_rule", "hog", "tool"})
+    EXPECT_TRUE(info.contains(key)) << key;
+
+  EXPECT_EQ(run_program("verify " + file).code, 0);
+  EXPECT_EQ(run_program("index " + file + " --tables 2").out, file + ".lsh\n");
+  const json bench = json::parse(run_program("bench --json --queries 3 -k 2 " + file).out);
+  ASSERT_EQ(bench.at("searches").size(), 3u);
+  EXPECT_EQ(bench.at("searches").at(0).at("search"), "exact");
+  EXPECT_EQ(bench.at("searches").at(0).at("recall"), 1);
+
+  std::fstream(file, std::ios::in | std::ios::out | std::ios::binary)
+      .seekp(-1, std::ios::end)
+      .put('\x7f');
+  expect_refused(run_program("verify " + file), file);
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+  expect_refused(run_program("info " + file), file);
+}
+
+TEST(DatabaseVerbs, AFailedBuildLeavesNothing) {
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory / "x.graspdb").string();
+  expect_refused(run_program("build --only 999 --out " + file), "999");
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+}
+
+TEST(DatabaseVerbs, MissingAndForeignFilesAreNamed) {
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory / "text.graspdb").string();
+  expect_refused(run_program("info " + file), file);
+  write_text(file, "no database at all");
+  for (const char* verb : {"info ", "verify ", "index ", "bench "})
+    expect_refused(run_program(verb + file), file);
+}
+
+TEST(DatabaseVerbs, AGraspsCheckIsTold) {
+  const std::string grasps = GRASPDB_SOURCE_DIR "/grasps/";
+  std::string file;
+  for (const auto& entry : std::filesystem::directory_iterator(grasps)) {
+    if (entry.path().filename().string().starts_with("09")) file = entry.path().string();
+  }
+  ASSERT_FALSE(file.empty());
+  const Outcome outcome = run_program("grasp check --json " + file);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const json grasp = json::parse(outcome.out).at("grasps").at(0);
+  EXPECT_EQ(grasp.at("id"), 9);
+  EXPECT_EQ(grasp.at("pass"), true);
+  for (const char* key :
+       {"step", "penetration_mm", "volume_cm3", "self_penetration_mm", "contacts", "clearance_mm"})
+    EXPECT_TRUE(grasp.at("steps").at(0).contains(key)) << key;
+}
+
+}  // namespace
+}  // namespace graspdb
