@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "graspdb/closing.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 
@@ -79,15 +78,6 @@ std::unique_ptr<Search> open_search(const Database& database, const std::string&
   const auto index = index_file(database, method);
   return std::filesystem::exists(index) ? load_lsh_search(index, database)
                                         : make_lsh_search(database);
-}
-
-GraspPose closed_pose(const Grasp& grasp, const Hand& hand) {
-  const auto file = grasp.file.parent_path() / "closed" / (hand.name + ".toml");
-  if (std::filesystem::exists(file)) {
-    const auto poses = load_closed_poses(file);
-    if (const auto found = poses.find(grasp.id); found != poses.end()) return found->second;
-  }
-  return close_grasp(grasp, hand);
 }
 
 }  // namespace graspdb::cli

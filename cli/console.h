@@ -27,7 +27,4 @@ std::filesystem::path grasp_directory();
 std::unique_ptr<Search> open_search(const Database& database, const std::string& method);
 std::filesystem::path index_file(const Database& database, const std::string& method);
 
-// The committed closed pose of this hand, else closed here and now.
-GraspPose closed_pose(const Grasp& grasp, const Hand& hand);
-
 }  // namespace graspdb::cli

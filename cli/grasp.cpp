@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "console.h"
@@ -92,21 +94,35 @@ void run_check(const Options& options) {
   if (failed > 0) throw Error(fmt::format("{} of {} grasps fail", failed, grasps.size()));
 }
 
+// The poses in `file` that were closed on this very hand; none when there is no such file.
+ClosedPoses poses_of(const std::filesystem::path& file, const Hand& hand) {
+  const double length = hand_length(hand.skeleton);
+  if (std::filesystem::exists(file)) {
+    ClosedPoses closed = load_closed_poses(file);
+    if (std::abs(closed.hand_length - length) < 1e-5) return closed;
+  }
+  return {.hand = hand.name, .hand_length = length};
+}
+
 void run_close(const Options& options) {
   const std::vector<Grasp> grasps = chosen(options);
   const Hand hand = chosen_hand(options);
-  std::vector<GraspPose> closed(grasps.size());
-  std::size_t done = 0;
+  std::vector<GraspPose> poses(grasps.size());
   const Progress progress = console_progress("closed", "grasps");
-  for (std::size_t i = 0; i < grasps.size(); ++i) {
-    closed[i] = close_grasp(grasps[i], hand);
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(grasps.size(), 0, [&](std::size_t i) {
+    poses[i] = close_grasp(grasps[i], hand);
+    const std::lock_guard lock(mutex);
     progress(++done, grasps.size());
+  });
+  const auto file = closed_poses_file(grasps.front(), hand);
+  ClosedPoses closed = poses_of(file, hand);
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    closed.poses[grasps[i].id] = poses[i];
+    closed.grasp_hashes[grasps[i].id] = grasp_hash(grasps[i]);
   }
-  const auto file = directory_of(options) / "closed" / (hand.name + ".toml");
-  std::map<int, GraspPose> poses;
-  if (std::filesystem::exists(file)) poses = load_closed_poses(file);
-  for (std::size_t i = 0; i < grasps.size(); ++i) poses[grasps[i].id] = closed[i];
-  save_closed_poses(file, hand.name, poses);
+  save_closed_poses(file, closed);
   fmt::print("{}\n", file.string());
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "console.h"
+#include "graspdb/closing.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/hog.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "console.h"
+#include "graspdb/closing.h"
 #include "graspdb/file.h"
 #include "graspdb/posed_scene.h"
 #include "graspdb/rig.h"

@@ -133,8 +133,8 @@ class Run {
           .count();
     };
     const GrayImage gray = to_gray(frame.color);
-    const Mask hand = frame.mask ? isolate_hand(*frame.mask, roi_)
-                                 : find_hand(frame.color, roi_, options_.skin);
+    const Mask hand =
+        frame.mask ? isolate_hand(*frame.mask, roi_) : find_hand(frame.color, roi_, options_.skin);
     const double segment_ms = since_begin();
     const Estimate estimate = tracker_.step({gray, hand, *camera_});
     const double total_ms = since_begin();

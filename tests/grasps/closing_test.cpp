@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "graspdb/file.h"
 #include "graspdb/rig.h"
+#include "support/temporary_directory.h"
 #include "support/toy_hand.h"
 
 namespace graspdb {
@@ -55,7 +57,7 @@ TEST(ClosedPose, IsClosedAnewForAnotherHandOfTheSameNameAndForAnEditedFile) {
   std::filesystem::create_directory(folder / "closed");
   std::filesystem::copy_file(kGrasps / "09_palmar_pinch.toml", folder / "pinch.toml");
   const Grasp grasp = load_grasp(folder / "pinch.toml");
-  Hand hand = load_hand(kSource / "assets/hands/male.glb");
+  Hand hand = load_hand(GRASPDB_SOURCE_DIR "/assets/hands/male.glb");
   GraspPose marked = closed_pose(grasp, hand);
   marked.angles[kWristFlexion] = 0.5;  // no closing gives that
   const ClosedPoses closed{.hand = hand.name,
