@@ -31,7 +31,9 @@ Hand with_visible_forearm(Hand hand, double length) {
   for (const Eigen::Vector3f& vertex : hand.bind_mesh.vertices) {
     end = std::max(end, -(forearm_from_palm * vertex.cast<double>()).y());
   }
-  for (Eigen::Vector3f& vertex : hand.bind_mesh.vertices) {
+  const Eigen::Vector3f proximal = -palm_from_forearm.rotation.col(1).cast<float>();
+  for (std::size_t v = 0; v < hand.bind_mesh.vertices.size(); ++v) {
+    Eigen::Vector3f& vertex = hand.bind_mesh.vertices[v];
     Eigen::Vector3d in_forearm = forearm_from_palm * vertex.cast<double>();
     const double beyond = -length - in_forearm.y();
     if (beyond <= 0) continue;
@@ -39,6 +41,7 @@ Hand with_visible_forearm(Hand hand, double length) {
     const double towards_axis = 1 - beyond / (end - length);
     in_forearm = {in_forearm.x() * towards_axis, -length, in_forearm.z() * towards_axis};
     vertex = (palm_from_forearm * in_forearm).cast<float>();
+    hand.bind_mesh.normals[v] = proximal;
   }
   return hand;
 }

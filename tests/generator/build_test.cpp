@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "graspdb/closing.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/generator.h"
@@ -54,10 +55,18 @@ TEST_F(Build, RowsFollowTheFormula) {
 TEST_F(Build, LabelsHoldTheViewsAndTheClosedAngles) {
   const Database database = build(small_config());
   const auto views = view_rotations(12);
+  const auto committed = load_closed_poses(kSource / "grasps/closed/male.toml").poses;
   for (std::size_t row = 0; row < database.rows(); ++row) {
     const auto label = database.label(row);
     EXPECT_LT(angle_between(rotation_from_vector({label[0], label[1], label[2]}), views[row % 12]),
               1e-5);
+    const int id = database.grasp(row);
+    if (database.step(row) == 2) {
+      const JointAngles& closed = committed.at(id).angles;
+      for (int i = 0; i < kAngleCount; ++i) {
+        EXPECT_NEAR(label[static_cast<std::size_t>(3 + i)], closed[i], 1e-6);
+      }
+    }
     const auto same_pose_free = database.label(row % 48 + 48);
     EXPECT_TRUE(std::equal(label.begin(), label.end(), same_pose_free.begin()));
   }
@@ -121,6 +130,11 @@ TEST(VisibleForearm, EndsWhereItIsAskedToAndKeepsItsTriangles) {
   for (const Eigen::Vector3f& v : cut.bind_mesh.vertices) lowest = std::min(lowest, v.y());
   EXPECT_NEAR(lowest, -0.025F, 1e-4F);
   EXPECT_EQ(cut.bind_mesh.triangles, whole.bind_mesh.triangles);
+  for (std::size_t v = 0; v < cut.bind_mesh.vertices.size(); ++v) {
+    if (whole.bind_mesh.vertices[v].y() < -0.03F) {
+      EXPECT_LT(cut.bind_mesh.normals[v].y(), -0.99F);  // the end plane faces the elbow
+    }
+  }
 }
 
 }  // namespace
