@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "graspdb/error.h"
 #include "graspdb/evaluate.h"
 #include "graspdb/parallel.h"
 #include "graspdb/pose_vector.h"
@@ -24,11 +25,19 @@ struct Grid {
 Grid read_grid(const Database& database) {
   Grid grid;
   const auto views = static_cast<std::size_t>(database.info().views);
+  const std::size_t hands = database.info().hands.size();
+  if (database.rows() == 0 || database.rows() % views != 0) {
+    throw Error({database.path().string(), "rows", "a multiple of the views, and some",
+                 std::to_string(database.rows())});
+  }
   for (std::size_t view = 0; view < views; ++view) {
     grid.views.push_back(label_rotation(database.label(view)));
   }
   for (std::size_t row = 0; row < database.rows(); row += views) {
     grid.poses.push_back(label_angles(database.label(row)));
+    if (database.hand(row) >= hands) {
+      throw Error({database.path().string(), "hand", "a hand of the header", "an altered row"});
+    }
     const Skeleton& skeleton = database.info().hands[database.hand(row)].skeleton;
     grid.joints.push_back(keypoints_in_palm(skeleton, grid.poses.back()));
   }

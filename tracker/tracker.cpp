@@ -95,9 +95,13 @@ void Tracker::check_row(std::uint32_t row) const {
   const auto label = database_.label(row);
   const bool finite =
       std::all_of(label.begin(), label.end(), [](float v) { return std::isfinite(v); });
-  if (finite && database_.hand(row) < database_.info().hands.size()) return;
+  const DatabaseInfo& info = database_.info();
+  const bool known =
+      database_.hand(row) < info.hands.size() && database_.variant(row) < info.variants.size();
+  if (finite && known) return;
   throw Error({database_.path().string(), fmt::format("row {}", row),
-               "finite labels and a hand of the header", "an altered row: see `graspdb verify`"});
+               "finite labels, a hand and a variant of the header",
+               "an altered row: see `graspdb verify`"});
 }
 
 // The neighbours' poses as this camera would see them, weighted by the observation.

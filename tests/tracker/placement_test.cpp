@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace graspdb {
@@ -31,7 +32,7 @@ TEST(Placement, AHalfAsLargeBoxIsTwiceAsFarAway) {
               1e-6);
 }
 
-TEST(Placement, TwoHundredSeventyPixelsOffAxisTurnByTwentySevenDegreesAtFocal500) {
+TEST(Placement, ABoxOffTheAxisTurnsTheRowByTheAngleOfItsRay) {
   const Placement placed = place(box_around(319.5 + 254, 239.5, 50), kCamera, kRowBox, 0.7);
   EXPECT_NEAR(degrees(angle_between(placed.camera_from_row_camera, Eigen::Matrix3d::Identity())),
               degrees(std::atan(254.0 / 500)), 0.01);
@@ -39,6 +40,30 @@ TEST(Placement, TwoHundredSeventyPixelsOffAxisTurnByTwentySevenDegreesAtFocal500
   const Eigen::Vector3d axis = placed.camera_from_row_camera.col(2);
   EXPECT_LT((axis - placed.palm_centre.normalized()).norm(), 1e-9);
   EXPECT_GT(placed.palm_centre.x(), 0);
+}
+
+// A ball of 70 mm 0.7 m away: in the row it fills 0.1 x 0.1; off the axis the flat picture enlarges
+// it.
+TEST(Placement, ABallOffTheAxisIsAsFarAwayAsItIs) {
+  const BoxTangents ball{.x = -0.05F, .y = -0.05F, .width = 0.1F, .height = 0.1F};
+  const Eigen::Vector3d centre = Eigen::Vector3d(0.45, 0.2, 1).normalized() * 0.7;
+  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+  for (int i = 0; i < 20000; ++i) {  // points of the sphere's surface
+    const double z = -1 + 2 * (i + 0.5) / 20000, turn = 2.399963 * i;
+    const double r = std::sqrt(1 - z * z);
+    const Eigen::Vector2d p = kCamera.project(
+        centre + 0.035 * Eigen::Vector3d(r * std::cos(turn), r * std::sin(turn), z));
+    left = std::min(left, p.x());
+    right = std::max(right, p.x());
+    top = std::min(top, p.y());
+    bottom = std::max(bottom, p.y());
+  }
+  const Box box{static_cast<int>(std::lround(left)), static_cast<int>(std::lround(top)),
+                static_cast<int>(std::lround(right - left)),
+                static_cast<int>(std::lround(bottom - top))};
+  const Placement placed = place(box, kCamera, ball, 0.7);
+  EXPECT_NEAR(placed.palm_centre.norm(), 0.7, 0.02);
+  EXPECT_LT((placed.palm_centre - centre).norm(), 0.03);
 }
 
 TEST(Placement, ThePalmLiesBesideTheBoxCentreAsItDoesInTheRow) {
