@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// From the rigged hand to its pose in a frame: rows of a small database, seen off the camera's axis
+// and at another distance, are found again where they are.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "graspdb/closing.h"
+#include "graspdb/generator.h"
+#include "graspdb/posed_scene.h"
+#include "graspdb/rig.h"
+#include "graspdb/tracker.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
+constexpr Intrinsics kCamera{
+    .width = 640, .height = 480, .fx = 600, .fy = 600, .cx = 319.5, .cy = 239.5};
+
+TEST(EndToEnd, ARowSeenOffTheAxisIsFoundWithItsPoseAndPlace) {
+  const testing::TemporaryDirectory directory;
+  BuildConfig config;
+  config.hands = {kSource / "assets/hands/male.glb"};
+  config.grasps = kSource / "grasps";
+  config.only = {14};
+  config.objects = Objects::kFree;
+  config.steps = 1;
+  config.views = 40;
+  build_database(config, directory / "small.graspdb");
+  const Database database = Database::open(directory / "small.graspdb");
+  const auto search = make_exact_search(database);
+  Tracker tracker(database, *search, {.temporal = TemporalModel::kNone});
+
+  const Hand hand = with_visible_forearm(load_hand(config.hands.front()), config.visible_forearm);
+  const Grasp grasp = load_grasp(config.grasps / "14_tripod.toml");
+  const GraspPose pose = closed_pose(grasp, hand);
+  const PosedScene posed = pose_scene(hand, pose, nullptr);
+  const Eigen::Vector3d palm(0.13, -0.05, 0.6);
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), palm).toRotationMatrix();
+  for (const std::size_t row : {0U, 7U, 19U, 33U}) {
+    const Eigen::Matrix3d rotation = turn * label_rotation(database.label(row));
+    const Eigen::Vector3d wrist = palm - rotation * posed.centre;
+    const View view = render(posed.scene, {kCamera, {rotation, wrist}}, config.light);
+    const Estimate estimate = tracker.step({view.shading, visible_hand(view), kCamera});
+    ASSERT_TRUE(estimate.valid);
+    EXPECT_EQ(estimate.row, row);
+    EXPECT_LT(degrees(angle_between(estimate.camera_from_hand, rotation)), 3);
+    EXPECT_LT((estimate.wrist - wrist).norm(), 0.025);
+    EXPECT_LT((estimate.angles - pose.angles).cwiseAbs().maxCoeff(), 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace graspdb
