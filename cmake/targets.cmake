@@ -7,9 +7,14 @@ target_compile_options(graspdb_warnings INTERFACE
 
 # Rows must not depend on how a compiler fuses multiplications and additions.
 add_compile_options(-ffp-contract=off)
-if(GRASPDB_SANITIZE)
+if(GRASPDB_SANITIZE OR GRASPDB_FUZZ)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
+endif()
+if(GRASPDB_FUZZ)
+  # Everything reports its branches; only the fuzzers themselves link libFuzzer's main().
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 
 function(graspdb_library name)

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Installs the packages of packages.txt that are missing; does nothing when none is.
+# Installs the packages that are missing; does nothing when none is.
+#   scripts/install.sh [PACKAGE ...]   those of packages.txt when none is named
 set -euo pipefail
 cd "$(dirname "$0")"
 
-mapfile -t packages < <(grep -v '^#' packages.txt)
+packages=("$@")
+[ $# -gt 0 ] || mapfile -t packages < <(grep -v '^#' packages.txt)
 missing=()
 for package in "${packages[@]}"; do
     dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
