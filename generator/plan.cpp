@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "graspdb/error.h"
+#include "graspdb/file.h"
+#include "graspdb/hash.h"
 #include "graspdb/parallel.h"
 #include "graspdb/posed_scene.h"
 #include "graspdb/rig.h"
@@ -70,6 +72,23 @@ void check_config(const BuildConfig& config) {
   check_range("visible forearm", config.visible_forearm, 0, 0.3);
 }
 
+// What the rows depend on beside what DatabaseInfo holds in fields of its own.
+nlohmann::json config_json(const Plan& plan) {
+  nlohmann::json hands = nlohmann::json::array(), grasps = nlohmann::json::object();
+  for (const auto& file : plan.config.hands) hands.push_back(hash_hex(read_text(file)));
+  for (const Grasp& grasp : plan.grasps) grasps[std::to_string(grasp.id)] = grasp_hash(grasp);
+  const Light& light = plan.config.light;
+  const Eigen::Vector3d& towards = light.towards_light_in_camera;
+  return {{"resolution_px", plan.config.resolution},
+          {"visible_forearm_m", plan.config.visible_forearm},
+          {"light",
+           {{"ambient", light.ambient},
+            {"diffuse", light.diffuse},
+            {"towards_light_in_camera", {towards.x(), towards.y(), towards.z()}}}},
+          {"hand_hashes", std::move(hands)},
+          {"grasp_hashes", std::move(grasps)}};
+}
+
 }  // namespace
 
 Plan make_plan(const BuildConfig& config) {
@@ -115,18 +134,7 @@ DatabaseInfo describe_plan(const Plan& plan) {
   info.hog = hog_name(plan.config.hog);
   info.tool = "graspdb " GRASPDB_VERSION;
   info.processor = processor_kind();
-  const Light& light = plan.config.light;
-  const Eigen::Vector3d& towards = light.towards_light_in_camera;
-  info.config =
-      nlohmann::json{
-          {"resolution_px", plan.config.resolution},
-          {"visible_forearm_m", plan.config.visible_forearm},
-          {"light",
-           {{"ambient", light.ambient},
-            {"diffuse", light.diffuse},
-            {"towards_light_in_camera", {towards.x(), towards.y(), towards.z()}}}},
-      }
-          .dump();
+  info.config = config_json(plan).dump();
   return info;
 }
 

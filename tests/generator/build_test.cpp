@@ -7,6 +7,7 @@
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/generator.h"
+#include "graspdb/hash.h"
 #include "graspdb/posed_scene.h"
 #include "graspdb/rig.h"
 #include "graspdb/views.h"
@@ -93,6 +94,12 @@ TEST_F(Build, AHeldObjectChangesWhatIsSeenAndADescriptorIsNeverEmpty) {
     EXPECT_LT(database.box(row + 48).width, 0.6F);
   }
   EXPECT_GT(different, 40);
+}
+
+TEST_F(Build, TheConfigurationNamesTheFilesThatItWasMadeFrom) {
+  const std::string config = build(small_config()).info().config;
+  EXPECT_THAT(config, HasSubstr(hash_hex(read_text(kSource / "assets/hands/male.glb"))));
+  EXPECT_THAT(config, HasSubstr(hash_hex(read_text(kSource / "grasps/09_palmar_pinch.toml"))));
 }
 
 TEST_F(Build, ProgressEndsWithAllRows) {
