@@ -108,6 +108,7 @@ std::vector<FrameErrors> constant_errors(const Grid& grid, const std::vector<Fra
         return mean_joint_difference_deg(grid.poses[p], frame.angles);
       });
   std::vector<FrameErrors> errors;
+  errors.reserve(truth.size());
   for (const FrameTruth& frame : truth) {
     errors.push_back(
         compare(row_pose(grid, pose, turned(grid.views[view], frame)), pose_of(frame)));
@@ -138,6 +139,7 @@ Baselines baselines(const Database& database, const std::vector<FrameTruth>& tru
   std::vector<FrameErrors> best(truth.size());
   parallel_for(truth.size(), 0, [&](std::size_t i) { best[i] = best_of_each(grid, truth[i]); });
   std::vector<double> nearest;
+  nearest.reserve(best.size());
   for (const FrameErrors& frame : best) nearest.push_back(frame.joint_deg);
   const auto beyond =
       std::count_if(nearest.begin(), nearest.end(), [](double d) { return d >= 5; });

@@ -86,6 +86,7 @@ SequenceEvaluation evaluate(const Database& database, const Search& search,
                             const Progress& progress) {
   const std::vector<Frame> frames = render_all(sequence);
   std::vector<FrameTruth> truth;
+  truth.reserve(frames.size());
   for (const Frame& frame : frames) truth.push_back(frame.truth);
   SequenceEvaluation result{.baselines = baselines(database, truth, options.seed)};
   const std::size_t total = options.temporal.size() * options.alphas.size();

@@ -53,13 +53,15 @@ Spread spread(std::vector<double> values) {
   double sum = 0;
   for (double value : values) sum += value;
   const auto quantile = [&](double q) {
-    return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
+    return values[static_cast<std::size_t>(
+        std::lround(q * static_cast<double>(values.size() - 1)))];
   };
   return {sum / static_cast<double>(values.size()), quantile(0.5), quantile(0.9)};
 }
 
 Summary summarize(const std::vector<FrameErrors>& frames) {
   std::vector<double> rotations;
+  rotations.reserve(frames.size());
   for (const FrameErrors& frame : frames) rotations.push_back(frame.rotation_deg);
   const auto flipped =
       std::count_if(rotations.begin(), rotations.end(), [](double r) { return r > 90; });

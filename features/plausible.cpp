@@ -54,11 +54,11 @@ cv::Mat channel_of(const ColorImage& frame, int conversion, int channel) {
 
 // Hues turned by half a circle, so that red lies in the middle.
 int median_hue(const ColorImage& frame, const Mask& region) {
-  constexpr int kHalf = 90;
+  constexpr std::size_t kHalf = 90;
   const Histogram hues = histogram_inside(channel_of(frame, cv::COLOR_BGR2HSV, 0), region);
   Histogram turned{};
   for (std::size_t hue = 0; hue < 2 * kHalf; ++hue) turned[(hue + kHalf) % (2 * kHalf)] = hues[hue];
-  return quantile(turned, 0.5) - kHalf;
+  return quantile(turned, 0.5) - static_cast<int>(kHalf);
 }
 
 }  // namespace

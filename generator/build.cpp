@@ -17,8 +17,9 @@ Label make_label(const Eigen::Matrix3d& camera_from_hand, const JointAngles& ang
   Label label;
   const Eigen::Vector3f rotation = vector_from_rotation(camera_from_hand).cast<float>();
   std::copy_n(rotation.data(), 3, label.begin());
-  for (int i = 0; i < kAngleCount; ++i)
-    label[static_cast<std::size_t>(3 + i)] = static_cast<float>(angles[i]);
+  for (int i = 0; i < kAngleCount; ++i) {
+    label[static_cast<std::size_t>(i) + 3] = static_cast<float>(angles[i]);
+  }
   return label;
 }
 
