@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "graspdb/posed_scene.h"
 #include "graspdb/renderer.h"
 
 namespace graspdb {
@@ -59,13 +60,6 @@ Eigen::Matrix3d camera_looking(const Side& side) {
   return camera_from_hand;
 }
 
-Mesh moved(const Mesh& mesh, const RigidTransform& target_from_mesh) {
-  Mesh result = mesh;
-  for (auto& v : result.vertices) v = (target_from_mesh * v.cast<double>()).cast<float>();
-  for (auto& n : result.normals) n = target_from_mesh.rotation.cast<float>() * n;
-  return result;
-}
-
 Bgr tinted(std::uint8_t grey, const Tint& tint) {
   Bgr colour;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -92,10 +86,8 @@ ColorImage coloured(const View& view) {
 class Model {
  public:
   Model(const Hand& hand, const Grasp& grasp, const GraspPose& pose)
-      : skin_(pose_skin(hand, pose.angles)),
-        object_(moved(grasp.object->mesh(), pose.hand_from_object)),
-        scene_(skin_, {}, &object_, ambient_openness(skin_, &object_, 32, 0.03)) {
-    for (const auto& v : skin_.vertices) {
+      : posed_(pose_scene(hand, pose, grasp.object.get())) {
+    for (const auto& v : posed_.hand_vertices) {
       if (v.y() > kForearmShown) framed_.push_back(v);
     }
   }
@@ -109,16 +101,14 @@ class Model {
         crop_camera(camera_looking(side), centre, kDistance, framed_, pixels * kOversampling, 0.08);
     Light light;
     light.towards_light_in_camera = {-0.4, -0.6, -1};
-    ColorImage large = coloured(render(scene_, camera, light));
+    ColorImage large = coloured(render(posed_.scene, camera, light));
     cv::Mat_<cv::Vec3b> small;
     cv::resize(as_mat(large), small, {pixels, pixels}, 0, 0, cv::INTER_AREA);
     return small;
   }
 
  private:
-  Mesh skin_;
-  Mesh object_;
-  Scene scene_;
+  PosedScene posed_;
   std::vector<Eigen::Vector3f> framed_;
 };
 

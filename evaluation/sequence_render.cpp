@@ -68,10 +68,10 @@ ColorImage compose(const View& view, const SequenceSpec& spec, int frame) {
   return color;
 }
 
-Mask where(const Image<std::uint8_t>& label, SurfaceLabel wanted) {
+Mask visible_object(const Image<std::uint8_t>& label) {
   Mask mask(label.width(), label.height());
-  std::transform(label.begin(), label.end(), mask.begin(), [wanted](std::uint8_t l) {
-    return static_cast<std::uint8_t>(l == wanted ? 255 : 0);
+  std::transform(label.begin(), label.end(), mask.begin(), [](std::uint8_t l) {
+    return static_cast<std::uint8_t>(l == kObjectSurface ? 255 : 0);
   });
   return mask;
 }
@@ -122,8 +122,8 @@ SequenceFrame SequenceRenderer::render(int frame) const {
   const Light light{.towards_light_in_camera = spec_.towards_light};
   const View view = graspdb::render(posed.scene, camera, light);
   result.color = compose(view, spec_, frame);
-  result.hand = where(view.label, kHandSurface);
-  result.object = where(view.label, kObjectSurface);
+  result.hand = visible_hand(view);
+  result.object = visible_object(view.label);
   return result;
 }
 
