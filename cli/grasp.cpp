@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "console.h"
+#include "grasp_sheet.h"
 #include "graspdb/closing.h"
 #include "graspdb/error.h"
 #include "graspdb/image_io.h"
 #include "graspdb/parallel.h"
 #include "graspdb/rig.h"
-#include "sheet.h"
 #include "verbs.h"
 
 namespace graspdb::cli {

@@ -2,19 +2,22 @@
 #include <fmt/format.h>
 
 #include "graspdb/hand_maker.h"
+#include "graspdb/image_io.h"
+#include "graspdb/rig.h"
+#include "hand_sheet.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct MakeOptions {
   std::string base = "male";
   std::string out;
   double length_mm = 0, breadth_mm = 0;  // 0: the base shape's
   double finger_length = 0, finger_thickness = 0, palm_thickness = 0, forearm_thickness = 0;
 };
 
-HandShape shape_of(const Options& options) {
+HandShape shape_of(const MakeOptions& options) {
   HandShape shape = default_hand_shape(options.base);
   const auto replace = [](double& value, double wanted) {
     if (wanted > 0) value = wanted;
@@ -29,21 +32,17 @@ HandShape shape_of(const Options& options) {
   return shape;
 }
 
-void run_make(const Options& options) {
+void run_make(const MakeOptions& options) {
   const Hand hand = make_hand(shape_of(options));
   write_hand(hand, options.out);
   fmt::print("{}: {} triangles, {:.1f} mm from wrist to middle fingertip\n", options.out,
              hand.bind_mesh.triangles.size(), 1000 * hand_length(hand.skeleton));
 }
 
-}  // namespace
-
-void add_hand(CLI::App& app) {
-  CLI::App* hand = app.add_subcommand("hand", "Make rigged hands");
-  hand->require_subcommand(1);
-  auto options = std::make_shared<Options>();
+void add_make(CLI::App& verb) {
+  auto options = std::make_shared<MakeOptions>();
   CLI::App* make =
-      hand->add_subcommand("make", "Make a skinned hand and its rig map from a few measures");
+      verb.add_subcommand("make", "Make a skinned hand and its rig map from a few measures");
   make->add_option("--out", options->out, "The .glb to write; its rig map goes beside it")
       ->required();
   make->add_option("--base", options->base, "The default hand to start from")
@@ -63,6 +62,38 @@ void add_hand(CLI::App& app) {
   add("--forearm-thickness", options->forearm_thickness, "Factor on the forearm's thickness", 0.7,
       1.3);
   make->callback([options] { run_make(*options); });
+}
+
+struct SheetOptions {
+  std::string hand, rig, out;
+  bool angles = false;
+};
+
+void run_sheet(const SheetOptions& options) {
+  const Hand hand =
+      options.rig.empty() ? load_hand(options.hand) : load_hand(options.hand, options.rig);
+  write_png(options.out, options.angles ? draw_angle_page(hand) : draw_hand_sheet(hand));
+  fmt::print("{}\n", options.out);
+}
+
+void add_sheet(CLI::App& verb) {
+  auto options = std::make_shared<SheetOptions>();
+  CLI::App* sheet = verb.add_subcommand("sheet", "Draw a hand in five poses from four sides");
+  sheet->add_option("GLB", options->hand, "A rigged hand")->required();
+  sheet->add_option("--rig", options->rig, "Its rig map")->default_str("the one beside it");
+  sheet->add_flag("--angles", options->angles,
+                  "Instead, what each of the 28 angles moves: at zero and at 20 degrees");
+  sheet->add_option("--out", options->out, "The PNG to write")->required();
+  sheet->callback([options] { run_sheet(*options); });
+}
+
+}  // namespace
+
+void add_hand(CLI::App& app) {
+  CLI::App* hand = app.add_subcommand("hand", "Make and draw rigged hands");
+  hand->require_subcommand(1);
+  add_make(*hand);
+  add_sheet(*hand);
 }
 
 }  // namespace graspdb::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of grasps for people to look at.
+// Pictures of grasps.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 #include "graspdb/hand.h"
 #include "graspdb/image.h"
 
-namespace graspdb {
+namespace graspdb::cli {
 
 // One closed grasp from six sides, and below it the steps from rest to closed, from the thumb's
 // side.
@@ -22,4 +22,4 @@ ColorImage draw_grasp_sheet(const Hand& hand, const Grasp& grasp, const JointAng
 ColorImage draw_grasp_page(const Hand& hand, const std::vector<Grasp>& grasps,
                            const std::map<int, GraspPose>& closed, bool plain);
 
-}  // namespace graspdb
+}  // namespace graspdb::cli
