@@ -81,7 +81,8 @@ PerBone<RigidTransform> bone_frames(const RestJoints& joints, const Skeleton& sk
       const Vector3d& along = chain.along[i];
       const Vector3d dorsal =
           digit == 0 ? joints.thumb_nail : Vector3d(ulnar_axis(chain, digit - 1).cross(along));
-      frames[chain.first_bone + i] = {frame_along(along, dorsal),
+      const double roll = digit == 0 ? 0 : joints.finger_rolls[at(digit - 1)];
+      frames[chain.first_bone + i] = {frame_along(along, dorsal) * axis_rotation(1, -roll),
                                       joints.origins[chain.first_bone + i]};
     }
   }

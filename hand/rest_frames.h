@@ -15,6 +15,9 @@ struct RestJoints {
                                      // nearer the elbow
   std::array<Eigen::Vector3d, 5> tips;
   Eigen::Vector3d thumb_nail;  // a direction
+  // How far each finger lies round its length, its back to the thumb's side, beyond what its joints
+  // tell; radians.
+  std::array<double, kFingerCount> finger_rolls{};
 };
 
 struct RestFrames {

@@ -8,20 +8,31 @@
 
 namespace graspdb {
 
-// The rig map that lies beside a hand file: male.glb -> male.rig.toml. Its keys:
+// The rig map that lies beside a hand file: male.glb -> male.rig.toml. docs/hands.md explains it
+// with an example. Its keys:
 //   handedness       "right" or "left"
 //   metres_per_unit  1 when absent
 //   thumb_nail       the way the nail faces at rest, three numbers in the file's coordinates
 //   [bones]          for each bone_name() a list of the file's bones: the joint is the first one's
 //                    origin (the palm's is the wrist, the forearm's lies nearer the elbow), and the
 //                    skin of all of them follows it. Every bone that moves skin must be named.
-//   [tips]           thumb, index, middle, ring, little: the joint at the tip of each
+//                    Absent may be: the fingers' metacarpals, which then begin at .3 of the way
+//                    from wrist to knuckle while their skin stays with the palm; the forearm.
+//   [tips]           where digits end, for each of thumb, index, middle, ring, little one of
+//                    index (a joint), index_position (a point at rest), index_beyond_distal_mm. A
+//                    digit that is absent ends where its last bone leaves the skin.
+//   [forearm]        split_at_mm, split_width_mm: needed when no bone is the forearm. Skin beyond
+//                    the wrist is then its own: half at the one, smoothly within the other.
+//                    extend_mm: how much forearm is grown from the mesh's end, a cap or a loop
+//   [corrections]    index_proximal_mm, ...: how far a bone's joint is moved towards its far end;
+//                    index_roll_deg, ...: how far a finger's back faces the thumb's side at rest,
+//                    beyond what the joints tell
 std::filesystem::path rig_map_beside(const std::filesystem::path& hand_file);
 
 // Reads mesh, weights and joint positions from `hand_file`, and everything else that a hand is
-// (frames, zero pose) from the joint positions and the rig map; the file's own bone axes are
-// ignored. A left hand is mirrored into a right one. Throws Error naming the file and the bone or
-// key.
+// (frames, zero pose) from the joint positions and the rig map; the file's own bone axes and
+// hierarchy are ignored. Vertices that a file repeats along seams become one. A left hand is
+// mirrored into a right one. Throws Error naming the files and the bone or key.
 Hand load_hand(const std::filesystem::path& hand_file, const std::filesystem::path& rig_map);
 Hand load_hand(const std::filesystem::path& hand_file);
 
