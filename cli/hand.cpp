@@ -5,6 +5,7 @@
 #include "graspdb/image_io.h"
 #include "graspdb/rig.h"
 #include "hand_sheet.h"
+#include "hand_verbs.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
@@ -46,7 +47,7 @@ void add_make(CLI::App& verb) {
   make->add_option("--out", options->out, "The .glb to write; its rig map goes beside it")
       ->required();
   make->add_option("--base", options->base, "The default hand to start from")
-      ->check(CLI::IsMember({"male", "female", "slender", "child"}));
+      ->check(CLI::IsMember(kDefaultHands));
   const auto add = [make](const char* name, double& value, const char* text, double low,
                           double high) {
     make->add_option(name, value, text)
@@ -90,9 +91,10 @@ void add_sheet(CLI::App& verb) {
 }  // namespace
 
 void add_hand(CLI::App& app) {
-  CLI::App* hand = app.add_subcommand("hand", "Make and draw rigged hands");
+  CLI::App* hand = app.add_subcommand("hand", "Make, check and draw rigged hands");
   hand->require_subcommand(1);
   add_make(*hand);
+  add_hand_check(*hand);
   add_sheet(*hand);
 }
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "hand_check_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "graspdb/error.h"
+
+namespace graspdb {
+namespace {
+
+using Status = HandCheckLine::Status;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+std::string_view status_name(Status status) {
+  switch (status) {
+    case Status::kPass:
+      return "pass";
+    case Status::kFail:
+      return "fail";
+    case Status::kNotApplicable:
+      return "not applicable";
+  }
+  GRASPDB_CHECK(false);
+}
+
+bool passes(std::span<const HandCheckLine> lines) {
+  return std::none_of(lines.begin(), lines.end(),
+                      [](const HandCheckLine& line) { return line.status == Status::kFail; });
+}
+
+Gate at_most(double high) {
+  return {-kInfinity, high, fmt::format("<= {:.6g}", high)};
+}
+
+Gate at_least(double low) {
+  return {low, kInfinity, fmt::format(">= {:.6g}", low)};
+}
+
+Gate above(double low) {
+  return {std::nextafter(low, kInfinity), kInfinity, fmt::format("> {:.6g}", low)};
+}
+
+Gate between(double low, double high) {
+  return {low, high, fmt::format("{:.6g}..{:.6g}", low, high)};
+}
+
+Gate exactly(double value) {
+  return {value, value, fmt::format("{:.6g}", value)};
+}
+
+HandCheckLine judged(const std::string& name, double value, const std::string& unit,
+                     const Gate& gate, const std::string& why) {
+  const bool good = value >= gate.low && value <= gate.high;
+  return {name, value, unit, gate.text, good ? Status::kPass : Status::kFail, why};
+}
+
+HandCheckLine not_applicable(const std::string& name, const std::string& unit, const Gate& gate,
+                             const std::string& why) {
+  return {name, std::nan(""), unit, gate.text, Status::kNotApplicable, why};
+}
+
+std::string_view finger_name(int finger) {
+  constexpr std::array<std::string_view, kFingerCount> kNames = {"index", "middle", "ring",
+                                                                 "little"};
+  return kNames[static_cast<std::size_t>(finger)];
+}
+
+Bone distal_bone(int digit) {
+  return digit == 0 ? kThumbDistal : finger_bone(digit - 1, kDistal);
+}
+
+bool moves_skin(const Hand& hand, int bone) {
+  for (const SkinWeights& skin : hand.weights) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (skin.bone[i] == bone && skin.weight[i] > 0) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace graspdb

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Gates and verdicts of the lines of hand_check.h.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "graspdb/hand_check.h"
+
+namespace graspdb {
+
+struct Gate {
+  double low, high;  // both allowed
+  std::string text;
+};
+Gate at_most(double high);
+Gate at_least(double low);
+Gate above(double low);
+Gate between(double low, double high);
+Gate exactly(double value);
+
+// A value that is not a number fails.
+HandCheckLine judged(const std::string& name, double value, const std::string& unit,
+                     const Gate& gate, const std::string& why = "");
+HandCheckLine not_applicable(const std::string& name, const std::string& unit, const Gate& gate,
+                             const std::string& why);
+
+// "index", "middle", "ring", "little"
+std::string_view finger_name(int finger);
+
+// The bone at the end of a digit, from the thumb (0) to the little finger (4).
+Bone distal_bone(int digit);
+
+bool moves_skin(const Hand& hand, int bone);
+
+// The largest value and where it was found; one that is not a number stays.
+struct Worst {
+  double value = 0;
+  std::string where;
+
+  void take(double other, const auto& name_of_place) {
+    if (!(other > value) && !std::isnan(other)) return;
+    value = other;
+    where = name_of_place();
+  }
+};
+
+}  // namespace graspdb
