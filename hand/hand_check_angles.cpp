@@ -105,17 +105,18 @@ constexpr JointGroup kJoints[] = {
 HandCheckLine worst_following(const Hand& hand, const std::vector<PerBone<double>>& distances,
                               const JointGroup& group) {
   Worst worst;
+  Missing missing;
   for (int angle = 0; angle < kAngleCount; ++angle) {
-    if (!group.contains(angle)) continue;
+    if (!group.contains(angle) || missing.lacks_skin(hand, first_moved_bone(angle))) continue;
     const BoneSet moved = moved_bones(angle);
     for (std::size_t v = 0; v < distances.size(); ++v) {
       worst.take(wrongness(hand.weights[v], distances[v], moved),
                  [&] { return fmt::format("{}, vertex {}", angle_info(angle).name, v); });
     }
   }
-  return judged(fmt::format("skin follows, {}", group.name),
-                100 * worst.value / hand_length(hand.skeleton), "%", at_most(group.gate),
-                worst.where);
+  worst.value *= 100 / hand_length(hand.skeleton);
+  return judged_unless(missing, fmt::format("skin follows, {}", group.name), worst, "%",
+                       at_most(group.gate));
 }
 
 void add_following_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
@@ -209,34 +210,20 @@ double direction_error(const Hand& hand, int angle, int seen) {
   return angle_between_directions(without(moved, lever), expected);
 }
 
-struct AngleGroup {
-  const char* name;
-  int first, end;
-};
-constexpr AngleGroup kGroups[] = {{"wrist", kWristFlexion, kThumbCmcFlexion},
-                                  {"thumb", kThumbCmcFlexion, kFirstFingerAngle},
-                                  {"fingers", kFirstFingerAngle, kAngleCount}};
-
-void add_direction_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
-  for (const AngleGroup& group : kGroups) {
-    Worst worst;
-    std::vector<HandCheckLine> unseen;
-    for (int angle = group.first; angle < group.end; ++angle) {
-      const std::string_view name = angle_info(angle).name;
-      if (const auto seen = seen_bone(hand, angle)) {
-        worst.take(degrees(direction_error(hand, angle, *seen)), [&] { return std::string(name); });
-      } else {
-        const std::string_view bone = bone_name(first_moved_bone(angle));
-        unseen.push_back(not_applicable(fmt::format("direction, {}", name), "deg", at_most(45),
-                                        fmt::format("{} moves no skin", bone)));
-      }
+HandCheckLine worst_direction(const Hand& hand, const AngleGroup& group) {
+  Worst worst;
+  Missing missing;
+  for (int angle = group.first; angle < group.end; ++angle) {
+    const auto seen = seen_bone(hand, angle);
+    if (!seen) {
+      missing.lacks_skin(hand, first_moved_bone(angle));
+      continue;
     }
-    if (unseen.size() < static_cast<std::size_t>(group.end - group.first)) {
-      lines.push_back(judged(fmt::format("direction, {}", group.name), worst.value, "deg",
-                             at_most(45), worst.where));
-    }
-    lines.insert(lines.end(), unseen.begin(), unseen.end());
+    worst.take(degrees(direction_error(hand, angle, *seen)),
+               [&] { return std::string(angle_info(angle).name); });
   }
+  return judged_unless(missing, fmt::format("direction, {}", group.name), worst, "deg",
+                       at_most(45));
 }
 
 }  // namespace
@@ -244,7 +231,7 @@ void add_direction_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
 std::vector<HandCheckLine> check_angles(const Hand& hand) {
   std::vector<HandCheckLine> lines;
   add_following_lines(hand, lines);
-  add_direction_lines(hand, lines);
+  for (const AngleGroup& group : kAngleGroups) lines.push_back(worst_direction(hand, group));
   return lines;
 }
 

@@ -85,4 +85,21 @@ bool moves_skin(const Hand& hand, int bone) {
   return false;
 }
 
+std::string no_skin_on(int bone) {
+  return fmt::format("{} moves no skin", bone_name(bone));
+}
+
+bool Missing::lacks_skin(const Hand& hand, int bone) {
+  if (moves_skin(hand, bone)) return false;
+  if (what_.empty()) what_ = no_skin_on(bone);
+  return true;
+}
+
+HandCheckLine judged_unless(const Missing& missing, const std::string& name, const Worst& worst,
+                            const std::string& unit, const Gate& gate) {
+  const HandCheckLine line = judged(name, worst.value, unit, gate, worst.where);
+  if (missing.what().empty() || line.status == Status::kFail) return line;
+  return not_applicable(name, unit, gate, missing.what());
+}
+
 }  // namespace graspdb

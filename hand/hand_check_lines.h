@@ -32,6 +32,16 @@ std::string_view finger_name(int finger);
 Bone distal_bone(int digit);
 
 bool moves_skin(const Hand& hand, int bone);
+std::string no_skin_on(int bone);  // "index_distal moves no skin"
+
+// The angles that are judged together.
+struct AngleGroup {
+  const char* name;
+  int first, end;
+};
+constexpr AngleGroup kAngleGroups[] = {{"wrist", kWristFlexion, kThumbCmcFlexion},
+                                       {"thumb", kThumbCmcFlexion, kFirstFingerAngle},
+                                       {"fingers", kFirstFingerAngle, kAngleCount}};
 
 // The largest value and where it was found; one that is not a number stays.
 struct Worst {
@@ -44,5 +54,20 @@ struct Worst {
     where = name_of_place();
   }
 };
+
+// The bones without which a line says less than its name.
+class Missing {
+ public:
+  // Notes the bone when it moves no skin, and says so.
+  bool lacks_skin(const Hand& hand, int bone);
+  const std::string& what() const { return what_; }
+
+ private:
+  std::string what_;
+};
+
+// A line whose parts that could be measured pass is not applicable when others are missing.
+HandCheckLine judged_unless(const Missing& missing, const std::string& name, const Worst& worst,
+                            const std::string& unit, const Gate& gate);
 
 }  // namespace graspdb

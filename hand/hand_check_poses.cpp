@@ -15,14 +15,6 @@
 namespace graspdb {
 namespace {
 
-struct AngleGroup {
-  const char* name;
-  int first, end;
-};
-constexpr AngleGroup kWrist = {"wrist", kWristFlexion, kThumbCmcFlexion};
-constexpr AngleGroup kThumb = {"thumb", kThumbCmcFlexion, kFirstFingerAngle};
-constexpr AngleGroup kFingers = {"finger", kFirstFingerAngle, kAngleCount};
-
 // One angle at one end of its range.
 struct Limit {
   int angle;
@@ -89,8 +81,10 @@ HandCheckLine worst_inverted(const Hand& hand, const AngleGroup& group) {
   for (const Limit& limit : limits_of(group)) {
     worst.take(inverted_percent(hand, limit.angles()), [&] { return limit.text(); });
   }
-  return judged(fmt::format("inverted triangles, {} limits", group.name), worst.value, "%",
-                at_most(.5), worst.where);
+  Missing missing;
+  if (group.first == kWristFlexion) missing.lacks_skin(hand, kForearm);
+  return judged_unless(missing, fmt::format("inverted triangles, limits of {}", group.name), worst,
+                       "%", at_most(.5));
 }
 
 void add_inverted_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
@@ -101,12 +95,7 @@ void add_inverted_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
   }
   lines.push_back(judged("inverted triangles, fist", inverted_percent(hand, named_pose("fist")),
                          "%", at_most(.5)));
-  lines.push_back(moves_skin(hand, kForearm)
-                      ? worst_inverted(hand, kWrist)
-                      : not_applicable("inverted triangles, wrist limits", "%", at_most(.5),
-                                       "the forearm moves no skin"));
-  lines.push_back(worst_inverted(hand, kThumb));
-  lines.push_back(worst_inverted(hand, kFingers));
+  for (const AngleGroup& group : kAngleGroups) lines.push_back(worst_inverted(hand, group));
 }
 
 // In percent of the bind pose's volume.
@@ -117,14 +106,14 @@ double volume_change(const Hand& hand, const JointAngles& angles) {
 HandCheckLine worst_thumb_volume(const Hand& hand) {
   Worst worst;
   double change = 0;
-  for (const Limit& limit : limits_of(kThumb)) {
+  for (const Limit& limit : limits_of(kAngleGroups[1])) {
     const double here = volume_change(hand, limit.angles());
     worst.take(std::abs(here), [&] {
       change = here;
       return limit.text();
     });
   }
-  return judged("volume change, thumb limits", change, "%", between(-3, 3), worst.where);
+  return judged("volume change, limits of thumb", change, "%", between(-3, 3), worst.where);
 }
 
 void add_volume_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
@@ -137,7 +126,7 @@ void add_volume_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
                            : not_applicable(name, "%", gate, "the surface is open"));
   }
   lines.push_back(closed ? worst_thumb_volume(hand)
-                         : not_applicable("volume change, thumb limits", "%", between(-3, 3),
+                         : not_applicable("volume change, limits of thumb", "%", between(-3, 3),
                                           "the surface is open"));
 }
 
@@ -160,6 +149,10 @@ std::optional<double> pip_back(const Hand& hand, int finger, double flexion) {
 
 HandCheckLine pip_section(const Hand& hand, int finger) {
   const std::string name = fmt::format("PIP section, {}", finger_name(finger));
+  for (const FingerBone part : {kProximal, kMiddle}) {
+    const Bone bone = finger_bone(finger, part);
+    if (!moves_skin(hand, bone)) return not_applicable(name, "%", at_least(85), no_skin_on(bone));
+  }
   const auto straight = pip_back(hand, finger, 0), bent = pip_back(hand, finger, radians(105));
   if (!straight || !bent) {
     return judged(name, std::nan(""), "%", at_least(85), "the joint does not lie in its skin");

@@ -148,7 +148,7 @@ void add_pulp_lines(const Hand& hand, int finger, std::vector<HandCheckLine>& li
   const Gate gap_gate = at_most(1000 * kGapGate), facing_gate = at_most(degrees(kFacingGate));
   for (const int digit : {0, finger + 1}) {
     if (moves_skin(hand, distal_bone(digit))) continue;
-    const std::string why = fmt::format("{} moves no skin", bone_name(distal_bone(digit)));
+    const std::string why = no_skin_on(distal_bone(digit));
     lines.push_back(not_applicable(gap, "mm", gap_gate, why));
     lines.push_back(not_applicable(facing, "deg", facing_gate, why));
     return;
@@ -185,7 +185,7 @@ HandCheckLine tip_to_palm(const Hand& hand, const PerBone<RigidTransform>& frame
   const std::string name = fmt::format("tip to palm, {}", finger_name(finger));
   const Bone bone = finger_bone(finger, kDistal);
   if (!moves_skin(hand, bone)) {
-    return not_applicable(name, "mm", at_most(3), fmt::format("{} moves no skin", bone_name(bone)));
+    return not_applicable(name, "mm", at_most(3), no_skin_on(bone));
   }
   const std::vector<std::uint8_t> bones = strongest_bones(hand);
   const RigidTransform bone_from_palm = frames[bone].inverse();

@@ -75,7 +75,7 @@ std::vector<HandCheckLine> check_size(const Hand& hand, const std::optional<Aske
   HandCheckLine length =
       size_line("hand length", skin_length_mm(hand, flat), asked_for(&AskedSize::length_mm));
   if (!moves_skin(hand, finger_bone(1, kDistal))) {
-    length = not_applicable("hand length", "mm", {}, "middle_distal moves no skin");
+    length = not_applicable("hand length", "mm", {}, no_skin_on(finger_bone(1, kDistal)));
   }
   return {length, size_line("hand breadth", skin_breadth_mm(hand, flat),
                             asked_for(&AskedSize::breadth_mm))};

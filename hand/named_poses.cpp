@@ -17,9 +17,10 @@ using Degrees = std::array<double, kAngleCount>;
 
 constexpr std::array<Degrees, kNamedPoses.size()> kDegrees = {{
     {},
-    {0, 0,  4, 53,  21, 58, 8,  17,           //
-     0, 88, 0, 110, 70, 0,  90, 0,  110, 70,  //
-     3, 90, 0, 110, 70, 8,  90, 1,  108, 68},
+    // On the default hands fingertips and palm overlap by up to 2 mm, as flesh that is pressed, and
+    // the thumb comes within 1 mm of the fingers.
+    {0, 0,  4, 47,  21, 50, 8,  17, 0,   88, 0, 110, 80, 0, 95, 0, 110, 72,  //
+     3, 89, 0, 110, 80, 8,  88, 1,  108, 78},
     // Near what contact closing finds for a 60 mm tube on the male hand. The other adult hands'
     // angles lie within 10 degrees of it, the child's fingers stay up to 18 degrees straighter.
     {0, 0,  9,  58, 38, 20, 0,  16,           //
