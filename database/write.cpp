@@ -3,12 +3,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/hash.h"
-#include "header.h"
+#include "write_columns.h"
 
 namespace graspdb {
 namespace {
@@ -16,7 +13,7 @@ namespace {
 static_assert(sizeof(BoxTangents) == 4 * sizeof(float), "a box is stored as four numbers");
 static_assert(std::endian::native == std::endian::little, "columns are written as they lie");
 
-const void* field(const Row& row, std::size_t column) {
+const void* field(const Row& row, ColumnIndex column) {
   switch (column) {
     case kLabel:
       return row.label.data();
@@ -37,7 +34,7 @@ const void* field(const Row& row, std::size_t column) {
   }
 }
 
-std::vector<std::byte> packed(std::span<const Row> rows, std::size_t column) {
+std::vector<std::byte> packed(std::span<const Row> rows, ColumnIndex column) {
   const std::size_t size = kColumns[column].row_bytes();
   std::vector<std::byte> bytes(size * rows.size());
   std::byte* to = bytes.data();
@@ -62,18 +59,10 @@ void check_row(const Row& row, const DatabaseInfo& info) {
 
 void write_database(const std::filesystem::path& path, const DatabaseInfo& info,
                     std::span<const Row> rows) {
-  GRASPDB_CHECK(rows.size() <= std::numeric_limits<std::uint32_t>::max());
   check_info(info, path.string());
   for (const Row& row : rows) check_row(row, info);
-  Header header{.info = info, .rows = rows.size(), .column_hashes = {}};
-  // A column is packed twice, for its hash and for the file, so that only one is held at a time.
-  for (std::size_t column = 0; column < kColumns.size(); ++column) {
-    header.column_hashes[column] = hash_hex(packed(rows, column));
-  }
-  FileAside file(path);
-  file.write(header_bytes(header, path.string()));
-  for (std::size_t column = 0; column < kColumns.size(); ++column) file.write(packed(rows, column));
-  file.commit();
+  write_columns(path, info, rows.size(),
+                [&](ColumnIndex column, const ByteSink& sink) { sink(packed(rows, column)); });
 }
 
 }  // namespace graspdb

@@ -33,17 +33,17 @@ struct DatabaseInfo {
   int steps = 0;
   int views = 0;
   double camera_distance = 0;  // from the camera to the palm centre, metres
-  std::string view_rule;  // e.g. "super-fibonacci"
-  std::string hog;        // the name of the descriptor's options
-  std::string config;     // the whole configuration, JSON
-  std::string tool;       // e.g. "graspdb 0.1.0"
+  std::string view_rule;       // e.g. "super-fibonacci"
+  std::string hog;             // the name of the descriptor's options
+  std::string config;          // the whole configuration, JSON
+  std::string tool;            // e.g. "graspdb 0.1.0"
   std::string processor;  // the kind that made the rows, where that can change a bit; else empty
 };
 
 // One row before it is packed.
 struct Row {
   Label label{};
-  BoxTangents box;          // of the visible hand
+  BoxTangents box;  // of the visible hand
   std::uint32_t view = 0;
   std::uint16_t grasp = 0;  // the grasp's id
   Descriptor hog{};
@@ -57,6 +57,20 @@ struct Row {
 // unwritable place, an info that contradicts itself); nothing is left then.
 void write_database(const std::filesystem::path& path, const DatabaseInfo& info,
                     std::span<const Row> rows);
+
+// A database of one hand and one variant, and which hand and variant of the whole they are.
+struct DatabasePart {
+  std::filesystem::path file;
+  std::uint8_t hand = 0;
+  std::uint8_t variant = 0;
+};
+
+// Writes the rows of all parts, one part after another, as one database, aside and renamed; no more
+// than a piece of a column is held in memory. Throws Error when a part is no database or does not
+// belong to `info`: another hand, grasp, descriptor, processor, number of views... The content of
+// the parts is taken as it is: see verify_database.
+void join_databases(const std::filesystem::path& path, const DatabaseInfo& info,
+                    std::span<const DatabasePart> parts);
 
 // A mapped database. Opening checks header and sizes, not the content: see verify. Cheap to move;
 // reading is thread-safe; spans live as long as the database.
