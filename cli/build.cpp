@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <csignal>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "console.h"
+#include "graspdb/error.h"
 #include "graspdb/generator.h"
 #include "verbs.h"
 
@@ -11,74 +14,182 @@ namespace graspdb::cli {
 namespace {
 
 struct Options {
-  BuildConfig config;
-  std::string out;
+  BuildConfig given;                                        // as options say
+  std::vector<std::function<void(BuildConfig&)>> override;  // what was given, over a --config
+  std::string config_file;
   double visible_forearm_mm = 1000 * BuildConfig{}.visible_forearm;
-  std::string hog;
+  std::string hog = hog_name(BuildConfig{}.hog);
+  std::string out, work, shard = "0/1";
+  int threads = 0;
   bool json = false;
 };
 
-void run(Options& options) {
-  BuildConfig& config = options.config;
-  if (config.hands.empty()) config.hands = {default_hand()};
-  if (config.grasps.empty()) config.grasps = grasp_directory();
-  config.visible_forearm = options.visible_forearm_mm / 1000;
-  config.hog = hog_from_name(options.hog, "--hog");
-  const BuildReport report =
-      build_database(config, options.out, console_progress("rendered", "rows"));
-  const double rate = static_cast<double>(report.rows) / report.seconds;
-  if (options.json) {
-    fmt::print("{}\n", nlohmann::json{{"rows", report.rows},
-                                      {"seconds", report.seconds},
-                                      {"rows_per_second", rate},
-                                      {"bytes", report.bytes},
-                                      {"content_hash", report.content_hash}}
-                           .dump());
-  } else {
-    fmt::print("{}: {} rows, {:.1f} MB, in {:.1f} s ({:.0f} rows/s), content {}\n", options.out,
-               report.rows, static_cast<double>(report.bytes) / 1e6, report.seconds, rate,
-               report.content_hash);
+volatile std::sig_atomic_t g_interrupted = 0;
+
+// The first Ctrl-C ends the build in good order, a second one at once.
+void stop_on_interrupt() {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::signal(signal, [](int number) {
+      g_interrupted = 1;
+      std::signal(number, SIG_DFL);
+    });
   }
 }
+
+BuildConfig config_of(const Options& options) {
+  BuildConfig config;
+  if (!options.config_file.empty()) config = load_config(options.config_file);
+  for (const auto& override : options.override) override(config);
+  if (config.hands.empty()) config.hands = {default_hand()};
+  if (config.grasps.empty()) config.grasps = grasp_directory();
+  return config;
+}
+
+BuildJob job_of(const Options& options) {
+  BuildJob job{.out = options.out, .work = options.work, .threads = options.threads};
+  if (std::sscanf(options.shard.c_str(), "%d/%d", &job.shard, &job.shards) != 2 || job.shards < 1 ||
+      job.shard < 0 || job.shard >= job.shards) {
+    throw Error({.key = "--shard", .expected = "i/n with 0 <= i < n", .found = options.shard});
+  }
+  job.progress = console_progress("made", "rows");
+  job.stop = [] { return g_interrupted != 0; };
+  return job;
+}
+
+void print_json(const BuildReport& report) {
+  const double rate = static_cast<double>(report.rendered_rows) / report.seconds;
+  fmt::print("{}\n", nlohmann::json{{"rows", report.rows},
+                                    {"rendered_rows", report.rendered_rows},
+                                    {"seconds", report.seconds},
+                                    {"rows_per_second", rate},
+                                    {"bytes", report.bytes},
+                                    {"content_hash", report.content_hash}}
+                         .dump());
+}
+
+void print_text(const Options& options, const BuildReport& report) {
+  if (report.content_hash.empty()) {
+    fmt::print("part {} of the shards: {} rows, {} of them rendered, in {:.1f} s\n", options.shard,
+               report.rows, report.rendered_rows, report.seconds);
+    return;
+  }
+  fmt::print(
+      "{}: {} rows, {} of them rendered, {:.1f} MB, in {:.1f} s ({:.0f} rows/s), content {}\n",
+      options.out, report.rows, report.rendered_rows, static_cast<double>(report.bytes) / 1e6,
+      report.seconds, static_cast<double>(report.rendered_rows) / report.seconds,
+      report.content_hash);
+}
+
+void print(const Options& options, const BuildReport& report) {
+  if (options.json) {
+    print_json(report);
+  } else {
+    print_text(options, report);
+  }
+}
+
+void run_build(const Options& options) {
+  stop_on_interrupt();
+  print(options, build_database(config_of(options), job_of(options)));
+}
+
+void add_job(CLI::App& verb, Options& options) {
+  verb.add_option("--threads", options.threads, "Threads, 0 for all processors; changes no byte")
+      ->check(CLI::Range(0, 1024));
+  verb.add_flag("--json", options.json, "The report as JSON");
+}
+
+// Registers options for the rows; each stands over the one of --config when it is given.
+class RowOptions {
+ public:
+  RowOptions(CLI::App& verb, Options& options) : verb_(verb), options_(options) {}
+
+  void add_all() {
+    add("--hand", &BuildConfig::hands,
+        "A rigged hand with its rig map beside it; once for each [the male hand]")
+        ->allow_extra_args(false);
+    add("--grasps", &BuildConfig::grasps, "The folder of grasp files [the project's own]");
+    add("--only", &BuildConfig::only, "Grasp numbers, by commas [all]")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    add("--objects", &BuildConfig::objects,
+        "held: the object hides what it hides; free: the same poses without it; both")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Objects>{
+            {"held", Objects::kHeld}, {"free", Objects::kFree}, {"both", Objects::kBoth}}))
+        ->default_str("held");
+    add("--steps", &BuildConfig::steps, "Steps from rest to the closed hand")
+        ->check(CLI::Range(1, 20));
+    add("--views", &BuildConfig::views, "Orientations, evenly over all rotations")
+        ->check(CLI::Range(1, 100000));
+    add("--resolution", &BuildConfig::resolution, "Side of a picture, pixels")
+        ->check(CLI::Range(16, 1024));
+    add("--distance", &BuildConfig::distance, "From the camera to the palm, metres")
+        ->check(CLI::Range(0.2, 5.0));
+    add_forearm();
+    add_hog();
+  }
+
+ private:
+  template <typename T>
+  CLI::Option* add(const char* name, T BuildConfig::*member, const char* text) {
+    CLI::Option* option = verb_.add_option(name, options_.given.*member, text);
+    options_.override.emplace_back([option, member, &given = options_.given](BuildConfig& config) {
+      if (option->count() > 0) config.*member = given.*member;
+    });
+    return option;
+  }
+
+  void add_forearm() {
+    CLI::Option* option = verb_
+                              .add_option("--forearm", options_.visible_forearm_mm,
+                                          "Visible forearm beyond the wrist, mm")
+                              ->check(CLI::Range(0.0, 300.0));
+    options_.override.emplace_back(
+        [option, &mm = options_.visible_forearm_mm](BuildConfig& config) {
+          if (option->count() > 0) config.visible_forearm = mm / 1000;
+        });
+  }
+
+  void add_hog() {
+    CLI::Option* option = verb_.add_option("--hog", options_.hog, "The descriptor's mode")
+                              ->check(CLI::IsMember({"paper", "edges"}));
+    options_.override.emplace_back([option, &hog = options_.hog](BuildConfig& config) {
+      if (option->count() > 0) config.hog = hog_from_name(hog, "--hog");
+    });
+  }
+
+  CLI::App& verb_;
+  Options& options_;
+};
 
 }  // namespace
 
 void add_build(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  BuildConfig& config = options->config;
-  options->hog = hog_name(config.hog);
   CLI::App* verb =
       app.add_subcommand("build", "Render a database of views of hands holding objects");
   verb->add_option("--out", options->out, "The database file to write")->required();
-  verb->add_option("--hand", config.hands,
-                   "A rigged hand with its rig map beside it; once for each [the male hand]")
-      ->allow_extra_args(false);
-  verb->add_option("--grasps", config.grasps, "The folder of grasp files [the project's own]");
-  verb->add_option("--only", config.only, "Grasp numbers, by commas [all]")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  verb->add_option("--objects", config.objects,
-                   "held: the object hides what it hides; free: the same poses without it; both")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Objects>{
-          {"held", Objects::kHeld}, {"free", Objects::kFree}, {"both", Objects::kBoth}}))
-      ->default_str("held");
-  verb->add_option("--steps", config.steps, "Steps from rest to the closed hand")
-      ->check(CLI::Range(1, 20));
-  verb->add_option("--views", config.views, "Orientations, evenly over all rotations")
-      ->check(CLI::Range(1, 100000));
-  verb->add_option("--resolution", config.resolution, "Side of a picture, pixels")
-      ->check(CLI::Range(16, 1024));
-  verb->add_option("--distance", config.distance, "From the camera to the palm, metres")
-      ->check(CLI::Range(0.2, 5.0));
-  verb->add_option("--forearm", options->visible_forearm_mm, "Visible forearm beyond the wrist, mm")
-      ->check(CLI::Range(0.0, 300.0));
-  verb->add_option("--hog", options->hog, "The descriptor's mode")
-      ->check(CLI::IsMember({"paper", "edges"}));
-  verb->add_option("--threads", config.threads, "Threads, 0 for all processors; changes no byte")
-      ->check(CLI::Range(0, 1024));
-  verb->add_flag("--json", options->json, "The report as JSON");
-  verb->footer("Example: graspdb build --only 1,3,9 --objects both --out small.graspdb");
-  verb->callback([options] { run(*options); });
+  verb->add_option("--config", options->config_file,
+                   "A TOML file of options, or a database that is to be made again");
+  RowOptions(*verb, *options).add_all();
+  verb->add_option("--work", options->work, "The folder of finished shards [OUT.work]");
+  verb->add_option("--shard", options->shard,
+                   "i/n: make only the shards i, i + n, i + 2 n ...; `graspdb merge` joins them");
+  add_job(*verb, *options);
+  verb->footer(
+      "What is finished stays in the folder of shards: a build that was stopped goes on, and one\n"
+      "with another grasp renders only that.\n"
+      "Example: graspdb build --only 1,3,9 --objects both --out small.graspdb");
+  verb->callback([options] { run_build(*options); });
+}
+
+void add_merge(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb = app.add_subcommand("merge", "Join the shards of `graspdb build --shard`");
+  verb->add_option("--out", options->out, "The database file to write")->required();
+  verb->add_option("--work", options->work, "The folder of finished shards [OUT.work]");
+  add_job(*verb, *options);
+  verb->callback([options] { print(*options, merge_shards(job_of(*options))); });
 }
 
 }  // namespace graspdb::cli

@@ -13,6 +13,7 @@ void add_grasp(CLI::App& app);
 void add_hand(CLI::App& app);
 void add_index(CLI::App& app);
 void add_info(CLI::App& app);  // info and verify
+void add_merge(CLI::App& app);
 void add_sequence(CLI::App& app);
 void add_track(CLI::App& app);
 

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -67,6 +68,17 @@ void FileAside::commit() {
   if (::rename(aside_.c_str(), path_.c_str()) != 0) fail("rename into place");
   ::close(descriptor_);
   descriptor_ = -1;
+}
+
+void remove_leftovers(const fs::path& path) {
+  const std::string start = path.filename().string() + ".", end = ".tmp";
+  std::error_code ignored;  // no folder, no leftovers
+  for (const auto& entry : fs::directory_iterator(fs::absolute(path).parent_path(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(start) || !name.ends_with(end)) continue;
+    const pid_t writer = std::atoi(name.c_str() + start.size());
+    if (writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
+  }
 }
 
 void write_text(const fs::path& path, std::string_view text) {

@@ -1,85 +1,175 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <chrono>
-#include <mutex>
-#include <span>
+#include <fmt/format.h>
 
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+
+#include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/generator.h"
 #include "graspdb/parallel.h"
-#include "graspdb/posed_scene.h"
-#include "plan.h"
+#include "rows.h"
+#include "shards.h"
 
 namespace graspdb {
 namespace {
 
-Label make_label(const Eigen::Matrix3d& camera_from_hand, const JointAngles& angles) {
-  Label label;
-  const Eigen::Vector3f rotation = vector_from_rotation(camera_from_hand).cast<float>();
-  std::copy_n(rotation.data(), 3, label.begin());
-  for (int i = 0; i < kAngleCount; ++i) {
-    label[static_cast<std::size_t>(i) + 3] = static_cast<float>(angles[i]);
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kConfigName = "build.json";  // in the work folder, for merge_shards
+
+fs::path work_of(const BuildJob& job) {
+  return job.work.empty() ? fs::path(job.out.string() + ".work") : job.work;
+}
+
+// A shard that is being made: its rows, and how many of its steps are still to do.
+struct Making {
+  Shard shard;
+  fs::path file;
+  std::vector<Row> rows;
+  std::once_flag allocated;
+  std::atomic<int> steps_left;
+};
+
+// Makes unfinished shards, step by step on all threads.
+class Maker {
+ public:
+  Maker(const Plan& plan, const BuildJob& job) : plan_(plan), job_(job), work_(work_of(job)) {
+    const std::vector<Shard> shards = plan.shards();
+    for (std::size_t i = 0; i < shards.size(); ++i) {
+      const bool ours =
+          i % static_cast<std::size_t>(job.shards) == static_cast<std::size_t>(job.shard);
+      if (ours) add(shards[i]);
+    }
   }
-  return label;
-}
 
-// The box in tangents: what a camera at one metre would see in metres, from the palm centre's ray.
-BoxTangents box_in_tangents(const Box& box, const Intrinsics& camera) {
-  return {static_cast<float>((box.x - 0.5 - camera.cx) / camera.fx),
-          static_cast<float>((box.y - 0.5 - camera.cy) / camera.fy),
-          static_cast<float>(box.width / camera.fx), static_cast<float>(box.height / camera.fy)};
-}
-
-Row make_row(const Plan& plan, const PosedScene& posed, std::size_t view) {
-  const Camera camera = crop_camera(plan.views[view], posed.centre, plan.config.distance,
-                                    posed.hand_vertices, plan.config.resolution);
-  const View picture = render(posed.scene, camera, plan.config.light);
-  const Mask hand = visible_hand(picture);
-  Row row;
-  row.view = static_cast<std::uint32_t>(view);
-  row.hog = describe(picture.shading, hand, plan.config.hog);
-  if (const auto box = tight_box(hand)) row.box = box_in_tangents(*box, camera.intrinsics);
-  return row;
-}
-
-void make_rows_of_pose(const Plan& plan, std::size_t index, std::span<Row> rows) {
-  const Plan::Pose which = plan.pose(index);
-  const Grasp& grasp = plan.grasps[which.grasp];
-  const GraspPose pose = pose_at_step(grasp, plan.rest, plan.closed[which.hand][which.grasp],
-                                      which.step, plan.config.steps);
-  const Solid* object = plan.variant_holds[which.variant] ? grasp.object.get() : nullptr;
-  const PosedScene posed = pose_scene(plan.hands[which.hand], pose, object);
-  for (std::size_t view = 0; view < rows.size(); ++view) {
-    Row& row = rows[view] = make_row(plan, posed, view);
-    row.label = make_label(plan.views[view], pose.angles);
-    row.grasp = static_cast<std::uint16_t>(grasp.id);
-    row.step = static_cast<std::uint8_t>(which.step);
-    row.hand = static_cast<std::uint8_t>(which.hand);
-    row.variant = static_cast<std::uint8_t>(which.variant);
+  void run() {
+    if (job_.progress && done_rows_ > 0) job_.progress(done_rows_, total_rows());
+    const auto steps = static_cast<std::size_t>(plan_.config.steps);
+    try {
+      parallel_for(making_.size() * steps, job_.threads, [&](std::size_t i) {
+        make_step(*making_[i / steps], static_cast<int>(i % steps) + 1);
+      });
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}; {} of {} shards are finished in {}: the same command goes on",
+                              error.what(), shard_count_ - unfinished_, shard_count_,
+                              work_.string()));
+    }
   }
+
+  std::size_t total_rows() const { return shard_count_ * plan_.rows_per_shard(); }
+  std::size_t rendered_rows() const { return making_.size() * plan_.rows_per_shard(); }
+
+ private:
+  void add(const Shard& shard) {
+    ++shard_count_;
+    const fs::path file = shard_file(work_, plan_, shard);
+    remove_leftovers(file);
+    if (is_finished(file)) {
+      done_rows_ += plan_.rows_per_shard();
+      return;
+    }
+    ++unfinished_;
+    auto making = std::make_unique<Making>();
+    making->shard = shard;
+    making->file = file;
+    making->steps_left = plan_.config.steps;
+    making_.push_back(std::move(making));
+  }
+
+  void make_step(Making& making, int step) {
+    if (job_.stop && job_.stop()) throw Error("interrupted");
+    std::call_once(making.allocated, [&] { making.rows.resize(plan_.rows_per_shard()); });
+    const std::size_t views = plan_.views.size();
+    const std::size_t first = static_cast<std::size_t>(step - 1) * views;
+    make_rows(plan_, making.shard, step, std::span(making.rows).subspan(first, views));
+    if (--making.steps_left == 0) finish(making);
+    report(views);
+  }
+
+  void finish(Making& making) {
+    DatabaseInfo info = describe_shard(plan_, making.shard);
+    info.config = shard_inputs(plan_, making.shard);
+    write_database(making.file, info, making.rows);
+    std::vector<Row>().swap(making.rows);  // no more than the shards at work are held
+    --unfinished_;
+  }
+
+  void report(std::size_t rows) {
+    const std::lock_guard lock(mutex_);
+    done_rows_ += rows;
+    if (job_.progress) job_.progress(done_rows_, total_rows());
+  }
+
+  const Plan& plan_;
+  const BuildJob& job_;
+  const fs::path work_;
+  std::vector<std::unique_ptr<Making>> making_;
+  std::size_t shard_count_ = 0;
+  std::atomic<std::size_t> unfinished_ = 0;
+  std::size_t done_rows_ = 0;
+  std::mutex mutex_;
+};
+
+// Joins all shards of the plan into the database.
+void merge(const Plan& plan, const BuildJob& job) {
+  std::vector<DatabasePart> parts;
+  for (const Shard& shard : plan.shards()) {
+    const fs::path file = shard_file(work_of(job), plan, shard);
+    if (!is_finished(file)) fail_missing(file);
+    parts.push_back(
+        {file, static_cast<std::uint8_t>(shard.hand), static_cast<std::uint8_t>(shard.variant)});
+  }
+  join_databases(job.out, describe_plan(plan), parts);
+}
+
+// A place that cannot be written is found before the work, not after it.
+void prepare(const Plan& plan, const BuildJob& job) {
+  remove_leftovers(job.out);
+  FileAside(job.out).write("");
+  const fs::path config = work_of(job) / kConfigName;
+  remove_leftovers(config);
+  write_text(config, config_to_json(plan.config));
+}
+
+BuildReport report_of(const BuildJob& job, Clock::time_point begin) {
+  const Database database = Database::open(job.out);
+  const std::chrono::duration<double> taken = Clock::now() - begin;
+  return {.rows = database.rows(),
+          .seconds = taken.count(),
+          .bytes = fs::file_size(job.out),
+          .content_hash = database.content_hash()};
 }
 
 }  // namespace
 
-BuildReport build_database(const BuildConfig& config, const std::filesystem::path& out,
-                           const Progress& progress) {
-  const auto begin = std::chrono::steady_clock::now();
-  const Plan plan = make_plan(config);
-  FileAside(out).write("");  // an unwritable place is found before the work, not after it
-  const std::size_t views = plan.views.size();
-  std::vector<Row> rows(plan.row_count());
-  std::mutex mutex;
-  std::size_t done = 0;
-  parallel_for(plan.pose_count(), config.threads, [&](std::size_t pose) {
-    make_rows_of_pose(plan, pose, std::span(rows).subspan(pose * views, views));
-    const std::lock_guard lock(mutex);
-    done += views;
-    if (progress) progress(done, rows.size());
-  });
-  write_database(out, describe_plan(plan), rows);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  return {rows.size(), taken.count(), std::filesystem::file_size(out),
-          Database::open(out).content_hash()};
+BuildReport build_database(const BuildConfig& config, const BuildJob& job) {
+  GRASPDB_CHECK(job.shards >= 1 && job.shard >= 0 && job.shard < job.shards);
+  const auto begin = Clock::now();
+  const Plan plan = make_plan(config, job.threads);
+  prepare(plan, job);
+  Maker maker(plan, job);
+  maker.run();
+  BuildReport report;
+  if (job.shards == 1) {
+    merge(plan, job);
+    report = report_of(job, begin);
+  } else {
+    report.rows = maker.total_rows();
+    report.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+  report.rendered_rows = maker.rendered_rows();
+  return report;
+}
+
+BuildReport merge_shards(const BuildJob& job) {
+  const auto begin = Clock::now();
+  const Plan plan = make_plan(load_config(work_of(job) / kConfigName), job.threads);
+  merge(plan, job);
+  return report_of(job, begin);
 }
 
 }  // namespace graspdb

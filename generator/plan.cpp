@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "graspdb/error.h"
 #include "graspdb/file.h"
@@ -57,49 +56,47 @@ std::string processor_kind() {
   return "x86-64";
 }
 
-void check_range(const char* name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  throw Error({.key = name,
-               .expected = fmt::format("{} to {}", low, high),
-               .found = fmt::format("{}", value)});
+std::string hand_hash(const std::filesystem::path& file) {
+  return hash_hex(read_text(file) + read_text(rig_map_beside(file)));
 }
 
-void check_config(const BuildConfig& config) {
-  check_range("steps", config.steps, 1, 20);
-  check_range("views", config.views, 1, 100000);
-  check_range("resolution", config.resolution, 16, 1024);
-  check_range("distance", config.distance, 0.2, 5);
-  check_range("visible forearm", config.visible_forearm, 0, 0.3);
+void expect_hash(const std::filesystem::path& file, const std::string& expected,
+                 const std::string& found) {
+  if (expected == found) return;
+  throw Error({file.string(), "", "the file of the configuration, hash " + expected, found});
 }
 
-// What the rows depend on beside what DatabaseInfo holds in fields of its own.
-nlohmann::json config_json(const Plan& plan) {
-  nlohmann::json hands = nlohmann::json::array(), grasps = nlohmann::json::object();
-  for (const auto& file : plan.config.hands) hands.push_back(hash_hex(read_text(file)));
-  for (const Grasp& grasp : plan.grasps) grasps[std::to_string(grasp.id)] = grasp_hash(grasp);
-  const Light& light = plan.config.light;
-  const Eigen::Vector3d& towards = light.towards_light_in_camera;
-  return {{"resolution_px", plan.config.resolution},
-          {"visible_forearm_m", plan.config.visible_forearm},
-          {"light",
-           {{"ambient", light.ambient},
-            {"diffuse", light.diffuse},
-            {"towards_light_in_camera", {towards.x(), towards.y(), towards.z()}}}},
-          {"hand_hashes", std::move(hands)},
-          {"grasp_hashes", std::move(grasps)}};
+// Fills in what the files are, or refuses those that are not what the configuration says.
+void settle_hashes(const std::vector<Grasp>& grasps, BuildConfig& config) {
+  std::vector<std::string> hands;
+  for (const auto& file : config.hands) hands.push_back(hand_hash(file));
+  for (std::size_t i = 0; i < std::min(hands.size(), config.hand_hashes.size()); ++i) {
+    expect_hash(config.hands[i], config.hand_hashes[i], hands[i]);
+  }
+  std::map<int, std::string> hashes;
+  for (const Grasp& grasp : grasps) {
+    hashes[grasp.id] = grasp_hash(grasp);
+    const auto known = config.grasp_hashes.find(grasp.id);
+    if (known != config.grasp_hashes.end()) {
+      expect_hash(grasp.file, known->second, hashes[grasp.id]);
+    }
+  }
+  config.hand_hashes = std::move(hands);
+  config.grasp_hashes = std::move(hashes);
 }
 
 }  // namespace
 
-Plan make_plan(const BuildConfig& config) {
+Plan make_plan(const BuildConfig& config, int threads) {
   check_config(config);
   Plan plan{.config = config};
   plan.grasps = choose(load_grasps(config.grasps), config.only, config.grasps);
+  settle_hashes(plan.grasps, plan.config);
   plan.rest = load_rest_pose(config.grasps);
   for (const auto& file : config.hands) {
     const Hand hand = load_hand(file);
     std::vector<GraspPose>& closed = plan.closed.emplace_back(plan.grasps.size());
-    parallel_for(closed.size(), config.threads,
+    parallel_for(closed.size(), threads,
                  [&](std::size_t i) { closed[i] = closed_pose(plan.grasps[i], hand); });
     plan.hands.push_back(with_visible_forearm(hand, config.visible_forearm));
   }
@@ -108,18 +105,16 @@ Plan make_plan(const BuildConfig& config) {
   return plan;
 }
 
-std::size_t Plan::pose_count() const {
-  return hands.size() * variant_holds.size() * grasps.size() *
-         static_cast<std::size_t>(config.steps);
-}
-
-Plan::Pose Plan::pose(std::size_t index) const {
-  const auto steps = static_cast<std::size_t>(config.steps);
-  const int step = static_cast<int>(index % steps) + 1;
-  index /= steps;
-  const std::size_t grasp = index % grasps.size();
-  index /= grasps.size();
-  return {index / variant_holds.size(), index % variant_holds.size(), grasp, step};
+std::vector<Shard> Plan::shards() const {
+  std::vector<Shard> all;
+  for (std::size_t hand = 0; hand < hands.size(); ++hand) {
+    for (std::size_t variant = 0; variant < variant_holds.size(); ++variant) {
+      for (std::size_t grasp = 0; grasp < grasps.size(); ++grasp) {
+        all.push_back({hand, variant, grasp});
+      }
+    }
+  }
+  return all;
 }
 
 DatabaseInfo describe_plan(const Plan& plan) {
@@ -134,7 +129,15 @@ DatabaseInfo describe_plan(const Plan& plan) {
   info.hog = hog_name(plan.config.hog);
   info.tool = "graspdb " GRASPDB_VERSION;
   info.processor = processor_kind();
-  info.config = config_json(plan).dump();
+  info.config = config_to_json(plan.config);
+  return info;
+}
+
+DatabaseInfo describe_shard(const Plan& plan, const Shard& shard) {
+  DatabaseInfo info = describe_plan(plan);
+  info.grasps = {info.grasps[shard.grasp]};
+  info.hands = {info.hands[shard.hand]};
+  info.variants = {info.variants[shard.variant]};
   return info;
 }
 

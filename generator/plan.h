@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
+#include <string>
 #include <vector>
 
+#include "graspdb/build_config.h"
 #include "graspdb/closing.h"
-#include "graspdb/generator.h"
+#include "graspdb/database.h"
 #include "graspdb/grasp.h"
 #include "graspdb/hand.h"
 
 namespace graspdb {
 
+// The rows of one hand, variant and grasp: the unit that is kept and used again.
+struct Shard {
+  std::size_t hand, variant, grasp;  // ordinals in the plan
+};
+
 // Everything a build needs, loaded and checked, and the order of its rows.
 struct Plan {
-  BuildConfig config;
+  BuildConfig config;  // with the hashes of its files
   std::vector<Hand> hands;
   std::vector<Grasp> grasps;
   JointAngles rest;
@@ -21,17 +27,19 @@ struct Plan {
   std::vector<bool> variant_holds;             // per variant: is the object there
   std::vector<Eigen::Matrix3d> views;          // camera_from_hand
 
-  // A pose is one (hand, variant, grasp, step); its rows are its views.
-  struct Pose {
-    std::size_t hand, variant, grasp;
-    int step;
-  };
-  std::size_t pose_count() const;
-  Pose pose(std::size_t index) const;
-  std::size_t row_count() const { return pose_count() * views.size(); }
+  std::vector<Shard> shards() const;  // in the order of their rows
+  std::size_t rows_per_shard() const {
+    return static_cast<std::size_t>(config.steps) * views.size();
+  }
 };
 
-Plan make_plan(const BuildConfig& config);
+// `threads` as in parallel_for. Throws Error for bad input, and when the configuration's hashes are
+// not those of its files.
+Plan make_plan(const BuildConfig& config, int threads);
+
 DatabaseInfo describe_plan(const Plan& plan);
+
+// Of the database that one shard is by itself.
+DatabaseInfo describe_shard(const Plan& plan, const Shard& shard);
 
 }  // namespace graspdb

@@ -28,7 +28,7 @@ TEST(EndToEnd, ARowSeenOffTheAxisIsFoundWithItsPoseAndPlace) {
   config.objects = Objects::kFree;
   config.steps = 1;
   config.views = 40;
-  build_database(config, directory / "small.graspdb");
+  build_database(config, {.out = directory / "small.graspdb"});
   const Database database = Database::open(directory / "small.graspdb");
   const auto search = make_exact_search(database);
   Tracker tracker(database, *search, {.temporal = TemporalModel::kNone});

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "graspdb/closing.h"
+#include "graspdb/database.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/generator.h"
@@ -11,6 +12,7 @@
 #include "graspdb/posed_scene.h"
 #include "graspdb/rig.h"
 #include "graspdb/views.h"
+#include "small_build.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -20,22 +22,12 @@ using ::testing::HasSubstr;
 
 const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
 
-BuildConfig small_config() {
-  BuildConfig config;
-  config.hands = {kSource / "assets/hands/male.glb"};
-  config.grasps = kSource / "grasps";
-  config.only = {3, 9};
-  config.objects = Objects::kBoth;
-  config.steps = 2;
-  config.views = 12;
-  config.resolution = 48;
-  return config;
-}
+using testing::small_config;
 
 class Build : public ::testing::Test {
  protected:
   Database build(const BuildConfig& config, const std::string& name = "a.graspdb") {
-    build_database(config, directory_ / name);
+    build_database(config, {.out = directory_ / name});
     return Database::open(directory_ / name);
   }
   testing::TemporaryDirectory directory_;
@@ -74,10 +66,9 @@ TEST_F(Build, LabelsHoldTheViewsAndTheClosedAngles) {
 }
 
 TEST_F(Build, TheNumberOfThreadsChangesNoByte) {
-  BuildConfig config = small_config();
   for (const int threads : {1, 2, 7}) {
-    config.threads = threads;
-    build_database(config, directory_ / std::to_string(threads));
+    const std::string name = std::to_string(threads);
+    build_database(small_config(), {.out = directory_ / name, .threads = threads});
   }
   EXPECT_EQ(read_text(directory_ / "1"), read_text(directory_ / "2"));
   EXPECT_EQ(read_text(directory_ / "1"), read_text(directory_ / "7"));
@@ -98,17 +89,19 @@ TEST_F(Build, AHeldObjectChangesWhatIsSeenAndADescriptorIsNeverEmpty) {
 
 TEST_F(Build, TheConfigurationNamesTheFilesThatItWasMadeFrom) {
   const std::string config = build(small_config()).info().config;
-  EXPECT_THAT(config, HasSubstr(hash_hex(read_text(kSource / "assets/hands/male.glb"))));
+  EXPECT_THAT(config, HasSubstr(hash_hex(read_text(kSource / "assets/hands/male.glb") +
+                                         read_text(kSource / "assets/hands/male.rig.toml"))));
   EXPECT_THAT(config, HasSubstr(hash_hex(read_text(kSource / "grasps/09_palmar_pinch.toml"))));
 }
 
 TEST_F(Build, ProgressEndsWithAllRows) {
   std::size_t last = 0;
-  build_database(small_config(), directory_ / "p", [&](std::size_t done, std::size_t total) {
+  const auto progress = [&](std::size_t done, std::size_t total) {
     EXPECT_GT(done, last);
     EXPECT_EQ(total, 96u);
     last = done;
-  });
+  };
+  build_database(small_config(), {.out = directory_ / "p", .progress = progress});
   EXPECT_EQ(last, 96u);
 }
 

@@ -35,6 +35,9 @@ class FileAside {
   int descriptor_ = -1;
 };
 
+// Removes what killed processes of this machine left beside `path` when they were writing it.
+void remove_leftovers(const std::filesystem::path& path);
+
 // Writes a small text file in one go, aside and renamed.
 void write_text(const std::filesystem::path& path, std::string_view text);
 

@@ -7,43 +7,46 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
-#include <vector>
 
-#include "graspdb/database.h"
-#include "graspdb/hog.h"
+#include "graspdb/build_config.h"
 #include "graspdb/progress.h"
-#include "graspdb/renderer.h"
 
 namespace graspdb {
 
-enum class Objects { kHeld, kFree, kBoth };
-
-struct BuildConfig {
-  std::vector<std::filesystem::path> hands;  // .glb files with their rig maps beside them
-  std::filesystem::path grasps;              // the folder of grasp files
-  std::vector<int> only;                     // grasp ids; empty = all
-  Objects objects = Objects::kHeld;
-  int steps = 5;                   // 1..20
-  int views = 648;                 // 1..100000
-  int resolution = 128;            // pixels a side, 16..1024
-  double distance = 0.7;           // metres from camera to palm centre
-  double visible_forearm = 0.015;  // metres beyond the wrist joint
-  Light light;
-  HogOptions hog{.mode = HogMode::kEdges};
-  int threads = 0;  // 0 = all processors; does not change a byte
+// How a database is made; nothing of it changes a byte of the result.
+//
+// The rows are made in shards, one for each hand, variant and grasp. A finished shard is a small
+// database in the folder `work`, named by a hash of all that its rows depend on: the hand, the
+// closed grasp and its object, the options, the code that makes rows and the kind of processor. It
+// is used again by every later build whose shard has that hash, so that a build that was stopped
+// goes on, and one that adds a grasp makes only that grasp's rows.
+struct BuildJob {
+  std::filesystem::path out;
+  std::filesystem::path work;  // empty: `out` with ".work" after it
+  int shard = 0, shards = 1;   // of the shards only shard, shard + shards, shard + 2 shards, ...
+  int threads = 0;             // 0 = all processors
+  Progress progress;           // in rows, those found finished included
+  std::function<bool()> stop;  // asked now and then; when it says so, the build ends with an Error
 };
 
 struct BuildReport {
-  std::size_t rows = 0;
+  std::size_t rows = 0;           // of the database, or of this part of the shards
+  std::size_t rendered_rows = 0;  // the others were found finished
   double seconds = 0;
-  std::uintmax_t bytes = 0;
-  std::string content_hash;
+  std::uintmax_t bytes = 0;  // of the database; 0 while shards are missing
+  std::string content_hash;  // empty while shards are missing
 };
 
-// Builds all rows and writes them to `out`, aside and renamed. Throws Error for bad input; nothing
-// is left under `out` then.
-BuildReport build_database(const BuildConfig& config, const std::filesystem::path& out,
-                           const Progress& progress = {});
+// Makes the job's shards that are not finished and, when the job has all of them, joins them into
+// `out`, aside and renamed. Throws Error for bad input, a full disk or a stop: finished shards stay
+// in `work`, nothing else is left. The folder `work` may be shared by builds on several machines.
+BuildReport build_database(const BuildConfig& config, const BuildJob& job);
+
+// Joins the shards in `work` that builds with this configuration have made. Throws Error naming a
+// shard that is missing or was made by other code or on another kind of processor. The
+// configuration is the one that the builds left in `work`.
+BuildReport merge_shards(const BuildJob& job);
 
 }  // namespace graspdb

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/build_config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "graspdb/database.h"
+#include "graspdb/error.h"
+#include "graspdb/file.h"
+#include "graspdb/text.h"
+
+namespace graspdb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::array<std::string_view, 3> kObjectsNames = {"held", "free", "both"};
+
+void check_range(const char* name, double value, double low, double high) {
+  if (value >= low && value <= high) return;
+  throw Error({.key = name,
+               .expected = fmt::format("{} to {}", low, high),
+               .found = fmt::format("{}", value)});
+}
+
+// From the data directory when the file lies in it.
+std::string portable(const fs::path& path) {
+  const fs::path absolute = fs::weakly_canonical(path);
+  const fs::path inside = absolute.lexically_relative(fs::weakly_canonical(data_directory()));
+  const bool outside = inside.empty() || *inside.begin() == "..";
+  return (outside ? absolute : inside).string();
+}
+
+// A path of a configuration: absolute, beside the configuration's own file, or among the data.
+fs::path found(const std::string& path, const fs::path& beside) {
+  if (fs::exists(beside / path)) return beside / path;
+  return data_directory() / path;
+}
+
+// JSON as TOML: the two differ in how a table joins key and value.
+std::string toml_value(const json& value) {
+  if (!value.is_structured()) return value.dump();
+  std::string text;
+  for (const auto& [key, item] : value.items()) {
+    if (!text.empty()) text += ", ";
+    text += value.is_object() ? json(key).dump() + " = " + toml_value(item) : toml_value(item);
+  }
+  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+std::string toml_document(const json& root) {
+  std::string text;
+  for (const auto& [key, value] : root.items()) text += key + " = " + toml_value(value) + "\n";
+  return text;
+}
+
+Objects read_objects(const TomlTable& table) {
+  const std::string name = table.string_or("objects", std::string(kObjectsNames[0]));
+  const auto known = std::ranges::find(kObjectsNames, name);
+  if (known == kObjectsNames.end()) table.fail("objects", "held, free or both", name);
+  return static_cast<Objects>(known - kObjectsNames.begin());
+}
+
+Light read_light(const TomlTable& table) {
+  Light light;
+  light.ambient = table.number_or("ambient", light.ambient, 0, 1);
+  light.diffuse = table.number_or("diffuse", light.diffuse, 0, 1);
+  if (table.has("towards_light_in_camera")) {
+    const auto v = table.numbers("towards_light_in_camera", 3, -1e3, 1e3);
+    light.towards_light_in_camera = {v[0], v[1], v[2]};
+  }
+  table.finish();
+  return light;
+}
+
+std::map<int, std::string> read_grasp_hashes(const TomlTable& table) {
+  std::map<int, std::string> hashes;
+  for (const std::string& id : table.keys()) hashes[std::stoi(id)] = table.string(id);
+  return hashes;
+}
+
+BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
+  BuildConfig config;
+  if (table.has("hands")) {
+    for (const auto& hand : table.strings("hands")) config.hands.push_back(found(hand, beside));
+  }
+  config.grasps = found(table.string_or("grasps", "grasps"), beside);
+  if (table.has("only")) {
+    for (const double id : table.numbers("only", -1, 1, 65535)) {
+      config.only.push_back(static_cast<int>(id));
+    }
+  }
+  config.objects = read_objects(table);
+  config.steps = table.integer_or("steps", config.steps, 1, 20);
+  config.views = table.integer_or("views", config.views, 1, 100000);
+  config.resolution = table.integer_or("resolution_px", config.resolution, 16, 1024);
+  config.distance = table.number_or("distance_m", config.distance, 0.2, 5);
+  config.visible_forearm = table.number_or("visible_forearm_m", config.visible_forearm, 0, 0.3);
+  if (const auto light = table.table_if_any("light")) config.light = read_light(*light);
+  config.hog = hog_from_name(table.string_or("hog", hog_name(config.hog)), table.file());
+  if (table.has("hand_hashes")) config.hand_hashes = table.strings("hand_hashes");
+  if (const auto hashes = table.table_if_any("grasp_hashes")) {
+    config.grasp_hashes = read_grasp_hashes(*hashes);
+  }
+  table.finish();
+  return config;
+}
+
+// The JSON that a database stores, or that a file is; none for a TOML file.
+std::optional<std::string> stored_json(const fs::path& path) {
+  if (path.extension() == ".json") return read_text(path);
+  // A TOML file has no zero bytes; the length before a database's header ends in some.
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 8> start{};
+  const bool is_database = file.read(start.data(), start.size()) && start.back() == '\0';
+  if (!is_database) return std::nullopt;
+  return Database::open(path).info().config;
+}
+
+}  // namespace
+
+void check_config(const BuildConfig& config) {
+  check_range("steps", config.steps, 1, 20);
+  check_range("views", config.views, 1, 100000);
+  check_range("resolution", config.resolution, 16, 1024);
+  check_range("distance", config.distance, 0.2, 5);
+  check_range("visible forearm", config.visible_forearm, 0, 0.3);
+}
+
+std::string config_to_json(const BuildConfig& config) {
+  json hands = json::array(), hashes = json::object();
+  for (const fs::path& hand : config.hands) hands.push_back(portable(hand));
+  for (const auto& [id, hash] : config.grasp_hashes) hashes[std::to_string(id)] = hash;
+  const Eigen::Vector3d& towards = config.light.towards_light_in_camera;
+  return json{{"hands", std::move(hands)},
+              {"grasps", portable(config.grasps)},
+              {"only", config.only},
+              {"objects", kObjectsNames[static_cast<std::size_t>(config.objects)]},
+              {"steps", config.steps},
+              {"views", config.views},
+              {"resolution_px", config.resolution},
+              {"distance_m", config.distance},
+              {"visible_forearm_m", config.visible_forearm},
+              {"light",
+               {{"ambient", config.light.ambient},
+                {"diffuse", config.light.diffuse},
+                {"towards_light_in_camera", {towards.x(), towards.y(), towards.z()}}}},
+              {"hog", hog_name(config.hog)},
+              {"hand_hashes", config.hand_hashes},
+              {"grasp_hashes", std::move(hashes)}}
+      .dump();
+}
+
+BuildConfig load_config(const fs::path& path) {
+  const fs::path beside = fs::absolute(path).parent_path();
+  const std::optional<std::string> stored = stored_json(path);
+  if (!stored) return read_config(TomlTable::load(path), beside);
+  try {
+    const std::string toml = toml_document(json::parse(*stored));
+    return read_config(TomlTable::parse(toml, path.string()), beside);
+  } catch (const json::exception& fault) {
+    throw Error({path.string(), "config", "JSON", fault.what()});
+  }
+}
+
+}  // namespace graspdb

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// All that the rows of a database depend on, as options and as text.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "graspdb/hog.h"
+#include "graspdb/renderer.h"
+
+namespace graspdb {
+
+enum class Objects { kHeld, kFree, kBoth };
+
+struct BuildConfig {
+  std::vector<std::filesystem::path> hands;  // .glb files with their rig maps beside them
+  std::filesystem::path grasps;              // the folder of grasp files
+  std::vector<int> only;                     // grasp ids; empty = all
+  Objects objects = Objects::kHeld;
+  int steps = 5;                   // 1..20
+  int views = 648;                 // 1..100000
+  int resolution = 128;            // pixels a side, 16..1024
+  double distance = 0.7;           // metres from camera to palm centre
+  double visible_forearm = 0.015;  // metres beyond the wrist joint
+  Light light;
+  HogOptions hog{.mode = HogMode::kEdges};
+
+  // Of a configuration that was read from a database: what its files were. A build refuses files
+  // that have changed. Empty: any will do.
+  std::vector<std::string> hand_hashes;     // one a hand
+  std::map<int, std::string> grasp_hashes;  // by grasp id
+};
+
+// Throws Error naming the option that is out of range.
+void check_config(const BuildConfig& config);
+
+// The configuration as JSON, as a database stores it. Files inside data_directory() are named from
+// there, so that the text means the same on another machine.
+std::string config_to_json(const BuildConfig& config);
+
+// A configuration from a database, a .json file (both hold the JSON above) or a TOML file with the
+// same keys; an absent key means its default. Throws Error naming file and key.
+BuildConfig load_config(const std::filesystem::path& path);
+
+}  // namespace graspdb

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "shards.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "graspdb/error.h"
+#include "graspdb/hash.h"
+
+namespace graspdb {
+
+extern const char* const kRowCodeHash;  // written by the build (CMakeLists.txt)
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t kKeyDigits = 16;
+constexpr std::string_view kExtension = ".graspdb";
+
+json to_json(const Eigen::Ref<const Eigen::MatrixXd>& values) {
+  return std::vector<double>(values.reshaped().begin(), values.reshaped().end());
+}
+
+// "male-held-003-", whatever the inputs.
+std::string name_of(const Plan& plan, const Shard& shard) {
+  return fmt::format("{}-{}-{:03}-", plan.hands[shard.hand].name,
+                     plan.variant_holds[shard.variant] ? "held" : "free",
+                     plan.grasps[shard.grasp].id);
+}
+
+}  // namespace
+
+std::string shard_inputs(const Plan& plan, const Shard& shard) {
+  const BuildConfig& config = plan.config;
+  const GraspPose& closed = plan.closed[shard.hand][shard.grasp];
+  const DatabaseInfo info = describe_plan(plan);
+  return json{{"code", kRowCodeHash},
+              {"processor", info.processor},
+              {"hand", config.hand_hashes[shard.hand]},
+              {"grasp", config.grasp_hashes.at(plan.grasps[shard.grasp].id)},
+              {"held", bool{plan.variant_holds[shard.variant]}},
+              {"rest", to_json(plan.rest)},
+              {"closed", to_json(closed.angles)},
+              {"object_rotation", to_json(closed.hand_from_object.rotation)},
+              {"object_translation_m", to_json(closed.hand_from_object.translation)},
+              {"steps", config.steps},
+              {"views", config.views},
+              {"view_rule", info.view_rule},
+              {"resolution_px", config.resolution},
+              {"distance_m", config.distance},
+              {"visible_forearm_m", config.visible_forearm},
+              {"ambient", config.light.ambient},
+              {"diffuse", config.light.diffuse},
+              {"towards_light_in_camera", to_json(config.light.towards_light_in_camera)},
+              {"hog", info.hog}}
+      .dump();
+}
+
+fs::path shard_file(const fs::path& work, const Plan& plan, const Shard& shard) {
+  const std::string key = hash_hex(shard_inputs(plan, shard)).substr(0, kKeyDigits);
+  return work / (name_of(plan, shard) + key + std::string(kExtension));
+}
+
+bool is_finished(const fs::path& shard_file) {
+  if (!fs::exists(shard_file)) return false;
+  try {
+    verify_database(shard_file);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+void fail_missing(const fs::path& shard_file) {
+  const std::string name = shard_file.filename().string();
+  const std::string stem = name.substr(0, name.size() - kKeyDigits - kExtension.size());
+  std::string other = "none";
+  for (const auto& entry : fs::directory_iterator(shard_file.parent_path())) {
+    const std::string candidate = entry.path().filename().string();
+    if (candidate.starts_with(stem) && candidate.ends_with(kExtension)) {
+      other = candidate + ", made of other files, options or code, or on another processor";
+    }
+  }
+  throw Error({shard_file.parent_path().string(), "", "the shard " + name, other});
+}
+
+}  // namespace graspdb
