@@ -8,6 +8,7 @@ namespace graspdb::cli {
 
 void add_bench(CLI::App& app);
 void add_build(CLI::App& app);
+void add_diff(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_grasp(CLI::App& app);
 void add_hand(CLI::App& app);

@@ -95,5 +95,23 @@ TEST(DatabaseVerbs, AGraspsCheckIsTold) {
     EXPECT_TRUE(grasp.at("steps").at(0).contains(key)) << key;
 }
 
+TEST(DatabaseVerbs, DiffTellsWhatDiffers) {
+  const testing::TemporaryDirectory directory;
+  const std::string a = (directory / "a").string(), b = (directory / "b").string(),
+                    c = (directory / "c").string();
+  const std::string build = "build --only 9 --steps 1 --views 24 --resolution 32 --out ";
+  ASSERT_EQ(run_program(build + a).code, 0);
+  ASSERT_EQ(run_program(build + b + " --threads 1").code, 0);
+  ASSERT_EQ(run_program(build + c + " --forearm 30").code, 0);
+  const Outcome same = run_program("diff " + a + " " + b);
+  EXPECT_EQ(same.code, 0);
+  EXPECT_THAT(same.out, StartsWith("the same: 24 rows"));
+  const Outcome different = run_program("diff " + a + " " + c);
+  EXPECT_EQ(different.code, 1);
+  EXPECT_THAT(different.out, HasSubstr("visible_forearm_m"));
+  EXPECT_THAT(different.out, HasSubstr("hog: "));
+  EXPECT_THAT(different.out, ::testing::Not(HasSubstr("label: ")));
+}
+
 }  // namespace
 }  // namespace graspdb
