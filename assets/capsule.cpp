@@ -5,6 +5,14 @@
 #include <cmath>
 
 namespace graspdb {
+namespace {
+
+// std::hypot guards against overflow, which takes most of a hand's time.
+double length_of(double a, double b) {
+  return std::sqrt(a * a + b * b);
+}
+
+}  // namespace
 
 double distance_to(const Capsule& capsule, const Eigen::Vector3d& point) {
   const Eigen::Vector3d axis = capsule.end - capsule.start, from_start = point - capsule.start;
@@ -16,8 +24,8 @@ double distance_to(const Capsule& capsule, const Eigen::Vector3d& point) {
   const double height = offset.dot(capsule.thin_axis);
   const double across = std::sqrt(std::max(0.0, offset.squaredNorm() - height * height));
   // An ellipse's implicit function divided by its gradient.
-  const double value = std::hypot(across / wide, height / thin);
-  const double slope = std::hypot(across / (wide * wide), height / (thin * thin));
+  const double value = length_of(across / wide, height / thin);
+  const double slope = length_of(across / (wide * wide), height / (thin * thin));
   return slope > 1e-9 ? value * (value - 1) / slope : -thin;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graspdb/transform.h"
 #include "proportions.h"
@@ -10,13 +11,15 @@
 namespace graspdb {
 namespace {
 
-// Radii for a breadth of 86 mm: at the MCP joint, mid-proximal, PIP, mid-middle, DIP, tip.
-constexpr double kFingerRadii[kFingerCount][6] = {{10.0, 9.9, 9.5, 9.0, 8.5, 7.3},
-                                                  {10.0, 9.9, 9.6, 9.1, 8.6, 7.4},
-                                                  {9.6, 9.4, 9.0, 8.5, 8.1, 7.0},
-                                                  {8.7, 8.3, 7.9, 7.5, 7.2, 6.2}};
+// Radii in table millimetres: at the MCP joint, mid-proximal, PIP, mid-middle, DIP, tip.
+constexpr double kFingerRadii[kFingerCount][6] = {{10.5, 10.2, 9.9, 9.4, 8.9, 7.6},
+                                                  {10.5, 10.2, 10.0, 9.5, 9.0, 7.7},
+                                                  {10.1, 9.7, 9.4, 8.9, 8.5, 7.3},
+                                                  {9.1, 8.6, 8.3, 7.9, 7.5, 6.5}};
 // Of the thumb: at the MCP joint, mid-proximal, IP, tip.
-constexpr double kThumbRadii[4] = {9.8, 10.2, 10.4, 8.6};
+constexpr double kThumbRadii[4] = {9.8, 10.2, 10.7, 9.0};
+// Of the metacarpals' heads.
+constexpr double kHeadRadii[kFingerCount] = {10, 10, 9.6, 8.7};
 
 // Adds capsules given in the frame of one bone.
 class Builder {
@@ -39,9 +42,9 @@ class Builder {
 
 class Maker {
  public:
-  Maker(const HandShape& shape, double width, const BoneFramesMm& frames,
+  Maker(const HandShape& shape, const FleshScales& scales, const BoneFramesMm& frames,
         const std::array<Eigen::Vector3d, 5>& tips_mm)
-      : shape_(shape), width_(width), frames_(frames), tips_(tips_mm) {}
+      : shape_(shape), scales_(scales), frames_(frames), tips_(tips_mm) {}
 
   HandFlesh make() {
     for (int finger = 0; finger < kFingerCount; ++finger) add_finger(finger);
@@ -56,31 +59,30 @@ class Maker {
 
  private:
   static constexpr double kShaftBlend = 1.5;  // along a digit the radii already agree
-  static constexpr double kPadBlend = 3.2;
+  static constexpr double kPadBlend = 4;
   static constexpr double kPalmBlend = 7;
 
   const RigidTransform& frame(int bone) const { return frames_[static_cast<std::size_t>(bone)]; }
   double length(int bone) const {
     return (frame(bone + 1).translation - frame(bone).translation).norm();
   }
-  double digit_thickness() const { return width_ * shape_.finger_thickness; }
 
   // A phalanx from joint to joint: a shaft, and the pad on its palmar side. The gaps between the
   // pads are the flexion creases.
   void add_phalanx(Flesh& flesh, int bone, const double* radii) {
-    const double scale = digit_thickness(), l = length(bone);
+    const double scale = scales_.digit, l = length(bone);
     const double palmar = -1.2 * scale, r = radii[1] * scale;
     Builder builder(flesh, frame(bone), scale);
-    builder.add(kShaftBlend, {0, 0, palmar}, {0, .5 * l, palmar}, radii[0], radii[1], .94, .92);
-    builder.add(kShaftBlend, {0, .5 * l, palmar}, {0, l, palmar}, radii[1], radii[2], .92, .94);
-    builder.add(kPadBlend, {0, .28 * l, palmar - .32 * r}, {0, .68 * l, palmar - .30 * r},
-                .78 * radii[1], .75 * radii[1]);
+    builder.add(kShaftBlend, {0, 0, palmar}, {0, .5 * l, palmar}, radii[0], radii[1], .94, .93);
+    builder.add(kShaftBlend, {0, .5 * l, palmar}, {0, l, palmar}, radii[1], radii[2], .93, .94);
+    builder.add(kPadBlend, {0, .10 * l, palmar - .42 * r}, {0, .70 * l, palmar - .32 * r},
+                .86 * radii[1], .80 * radii[1]);
   }
 
   // A last phalanx: flatter to its end, with the pulp under it and the nail on it.
   void add_tip(std::size_t digit, int bone, double joint_radius, double tip_radius) {
     Flesh& flesh = flesh_.digits[digit];
-    const double l = tips_[digit].y(), scale = digit_thickness(), palmar = -1.2 * scale,
+    const double l = tips_[digit].y(), scale = scales_.digit, palmar = -1.2 * scale,
                  r = tip_radius * scale;
     Builder builder(flesh, frame(bone), scale);
     builder.add(kShaftBlend, {0, 0, palmar}, {0, .5 * l, palmar}, joint_radius,
@@ -109,31 +111,28 @@ class Maker {
   // under the knuckle.
   void add_metacarpal(int finger) {
     const Bone bone = finger_bone(finger, kMetacarpal);
-    const double l = length(bone), thick = width_ * shape_.palm_thickness;
-    const double head = kFingerRadii[finger][0];
-    Builder builder(flesh_.palm, frame(bone), width_);
-    builder.add(kPalmBlend, {0, 0, -4 * thick}, {0, l, -3.5 * thick}, 11, .95 * head,
-                shape_.palm_thickness, shape_.palm_thickness);
+    const double l = length(bone), deep = scales_.palm, depth = scales_.palm / scales_.width;
+    const double head = kHeadRadii[finger];
+    Builder builder(flesh_.palm, frame(bone), scales_.width);
+    builder.add(kPalmBlend, {0, 0, -5 * deep}, {0, l, -4.5 * deep}, 11, .95 * head, depth, depth);
     flesh_.rays[static_cast<std::size_t>(finger) + 1] = flesh_.palm.back();
-    builder.add(kPadBlend, {0, 0, 0}, {0, l, -.2 * thick}, 7.5, .84 * head);
-    builder.add(kPalmBlend, {0, l - 13, -8 * thick}, {0, l - 1, -8 * thick}, 7.5, 8);
+    builder.add(kPadBlend, {0, 0, 0}, {0, l, -.1 * deep}, 7.5, .86 * head);
+    builder.add(kPalmBlend, {0, l - 13, -8.5 * deep}, {0, l - 1, -8.5 * deep}, 8, 8);
   }
 
   Eigen::Vector3d palm_point(double x, double y, double z) const {
-    return {x * width_, y * shape_.length_mm / kTableLengthMm, z * width_ * shape_.palm_thickness};
+    return {x * scales_.width, y * shape_.length_mm / kTableLengthMm, z * scales_.palm};
   }
 
   void add_to_palm(const Eigen::Vector3d& start, const Eigen::Vector3d& end, double start_radius,
                    double end_radius) {
-    flesh_.palm.push_back({.start = start,
-                           .end = end,
-                           .start_radius = start_radius * width_,
-                           .end_radius = end_radius * width_,
-                           .blend = kPalmBlend * width_});
+    const double width = scales_.width, depth = scales_.palm / width;
+    flesh_.palm.push_back({start, end, start_radius * width, end_radius * width,
+                           Eigen::Vector3d::UnitZ(), depth, depth, kPalmBlend * width});
   }
 
   Eigen::Vector3d on_bone(int bone, double along, double z) const {
-    return frame(bone) * Eigen::Vector3d(0, along * length(bone), z * width_);
+    return frame(bone) * Eigen::Vector3d(0, along * length(bone), z * scales_.width);
   }
 
   // Between two fingers: what fills the gap between their metacarpals, and the web.
@@ -142,11 +141,9 @@ class Maker {
       return Eigen::Vector3d(.5 * (on_bone(finger_bone(finger, bone), along, z) +
                                    on_bone(finger_bone(finger + 1, bone), along, z)));
     };
-    add_to_palm(between(kMetacarpal, .12, -3.1), between(kMetacarpal, .95, -2.7), 8.8, 8.4);
-    add_to_palm(between(kMetacarpal, .55, -6), between(kMetacarpal, .95, -7.5), 8, 7.6);
+    add_to_palm(between(kMetacarpal, .12, -4.5), between(kMetacarpal, .95, -4.2), 8.8, 8.4);
+    add_to_palm(between(kMetacarpal, .55, -6), between(kMetacarpal, .95, -8), 8, 7.8);
     add_to_palm(between(kProximal, -.05, -2.4), between(kProximal, .22, -3.5), 8.2, 7);
-    add_to_palm(on_bone(finger_bone(finger, kProximal), .36, -4),
-                on_bone(finger_bone(finger + 1, kProximal), .36, -4), 6, 6);
   }
 
   // The thumb's metacarpal, its muscles, and the first web.
@@ -159,37 +156,35 @@ class Maker {
     };
     add_to_palm(on_thumb(0, -1), on_thumb(1, -1), 10, 8.8);
     flesh_.rays[0] = flesh_.palm.back();
-    add_to_palm(palm_point(-9, 21, -11), on_thumb(.70, -4.5), 13, 9.5);
-    add_to_palm(palm_point(-4, 30, -11), on_thumb(.55, -4.5), 12, 9.5);
+    add_to_palm(palm_point(-9, 21, -12), on_thumb(.70, -5), 13, 9.5);
+    add_to_palm(palm_point(-4, 30, -12), on_thumb(.55, -5), 12, 9.5);
     add_to_palm(on_thumb(.45, -1), on_index(.45), 9, 9.5);
     add_to_palm(on_thumb(.80, -1), on_index(.68), 6, 8);
-    add_to_palm(on_thumb(.96, -1), on_index(.90), 4, 8);
+    add_to_palm(on_thumb(.92, -1), on_index(.84), 4, 7);
   }
 
   // The carpus, and the little finger's muscles on the heel of the hand.
   void add_heel() {
-    add_to_palm(palm_point(16, 13, -8), palm_point(26, 36, -8.5), 11.5, 11.5);
-    add_to_palm(palm_point(26, 36, -8.5), palm_point(34, 60, -7), 11.5, 10);
-    flesh_.palm.push_back({palm_point(-9, 9, -5.5), palm_point(11, 9, -5.5), 15.5 * width_,
-                           15.5 * width_, Eigen::Vector3d::UnitZ(), shape_.palm_thickness,
-                           shape_.palm_thickness, kPalmBlend * width_});
+    add_to_palm(palm_point(15, 12, -8), palm_point(25, 36, -10), 10.5, 12);
+    add_to_palm(palm_point(25, 36, -10), palm_point(34, 60, -8), 12, 10);
+    add_to_palm(palm_point(-9, 10, -5), palm_point(10, 10, -5), 13.5, 13.5);
   }
 
   // Two elliptic cones, the ulna's head and the radius' end. It is cut off by HandSurface.
   void add_forearm() {
-    const double scale = width_ * shape_.forearm_thickness, l = shape_.forearm_length_mm;
+    const double scale = scales_.forearm, l = shape_.forearm_length_mm;
     Builder builder(flesh_.forearm, frame(kForearm), scale);
     const double z = -4.5 * scale;
-    builder.add(0, {0, 2, z}, {0, -40, z}, 25.5, 26.5, .72, .78);
-    builder.add(2, {0, -40, z}, {0, -80, z}, 26.5, 30, .78, .84);
+    builder.add(0, {0, -2, z}, {0, -40, z}, 25, 26.5, .66, .76);
+    builder.add(2, {0, -40, z}, {0, -80, z}, 26.5, 30, .76, .84);
     builder.add(2, {0, -80, z}, {0, -125, z}, 30, 35, .84, .88);
     builder.add(2, {0, -125, z}, {0, -l - 50, z}, 35, 43, .88, .90);
-    builder.add(12, {16.5 * scale, -12, 3.5 * scale}, {13 * scale, -65, 0}, 7.5, 7);
+    builder.add(12, {16.5 * scale, -14, 2.5 * scale}, {13 * scale, -65, 0}, 7.5, 7);
     builder.add(12, {-15 * scale, 0, -3 * scale}, {-11 * scale, -65, -3 * scale}, 10.5, 10);
   }
 
   const HandShape& shape_;
-  double width_;
+  const FleshScales& scales_;
   const BoneFramesMm& frames_;
   const std::array<Eigen::Vector3d, 5>& tips_;
   HandFlesh flesh_;
@@ -197,18 +192,18 @@ class Maker {
 
 }  // namespace
 
-double nail_share(const Nail& nail, const Eigen::Vector3d& point) {
+double distance_from_nail(const Nail& nail, const Eigen::Vector3d& point) {
   const Eigen::Vector3d local = nail.hand_from_distal.inverse() * point;
-  if (local.z() < 0) return 0;
-  // Between an ellipse and a rectangle.
-  const double edge = std::pow(local.x() / nail.half_breadth, 4) +
-                      std::pow((local.y() - nail.middle_y) / nail.half_length, 4);
-  return std::clamp(1.75 - .75 * edge, 0.0, 1.0);
+  if (local.z() < 0) return std::numeric_limits<double>::infinity();
+  const double across = local.x() / nail.half_breadth;
+  const double along = (local.y() - nail.middle_y) / nail.half_length;
+  return std::pow(std::pow(across, 4) + std::pow(along, 4), .25);
 }
 
-HandFlesh flesh_of_shape(const HandShape& shape, double width, const BoneFramesMm& frames,
+HandFlesh flesh_of_shape(const HandShape& shape, const FleshScales& scales,
+                         const BoneFramesMm& frames,
                          const std::array<Eigen::Vector3d, 5>& tips_mm) {
-  return Maker(shape, width, frames, tips_mm).make();
+  return Maker(shape, scales, frames, tips_mm).make();
 }
 
 }  // namespace graspdb

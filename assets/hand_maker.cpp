@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "fit.h"
 #include "glb.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
@@ -16,66 +18,35 @@
 namespace graspdb {
 namespace {
 
-constexpr double kCellMm = 2.2;
+constexpr double kCellMm = 1.9;
 constexpr std::size_t kTriangleCount = 10000;
-constexpr double kSkinAlbedo = .86;  // nails are brighter than skin
+// Nails are brighter than skin, in a dark fold.
+constexpr double kSkinAlbedo = .86, kNailAlbedo = 1, kFoldAlbedo = .70;
+constexpr double kFoldEnd = 1.4;  // in the unit of distance_from_nail
 
-BoneFramesMm in_millimetres(BoneFramesMm frames) {
-  for (RigidTransform& frame : frames) frame.translation *= 1000;
-  return frames;
-}
-
-HandSurface surface_of(const HandShape& shape, double width, const Skeleton& skeleton) {
-  std::array<Eigen::Vector3d, 5> tips = skeleton.tip_in_distal;
-  for (Eigen::Vector3d& tip : tips) tip *= 1000;
-  const BoneFramesMm frames = in_millimetres(palm_from_bones(skeleton, bind_angles()));
-  return {flesh_of_shape(shape, width, frames, tips), width, shape.forearm_length_mm};
-}
-
-// How far the flesh reaches from a joint, at whatever height it reaches furthest.
-double reach_mm(const HandSurface& surface, const Eigen::Vector3d& joint,
-                const Eigen::Vector3d& direction) {
-  double furthest = 0;
-  for (int height = -12; height <= 6; height += 2) {
-    double reach = 0;
-    for (int step = 0; step < 50; ++step) {
-      reach -= surface.distance(joint + Eigen::Vector3d(0, 0, height) + reach * direction);
-    }
-    furthest = std::max(furthest, reach);
+double distance_from_nails(const HandSurface& surface, const Eigen::Vector3d& point) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const Nail& nail : surface.flesh().nails) {
+    distance = std::min(distance, distance_from_nail(nail, point));
   }
-  return furthest;
+  return distance;
 }
 
-// Along the line through the outer two knuckles.
-double knuckle_breadth_mm(const HandSurface& surface, const Skeleton& skeleton) {
-  const auto& zero = skeleton.palm_from_bone_at_zero;
-  const Eigen::Vector3d index = 1000 * zero[finger_bone(0, kProximal)].translation;
-  const Eigen::Vector3d little = 1000 * zero[finger_bone(3, kProximal)].translation;
-  const Eigen::Vector3d across = (little - index).normalized();
-  return (little - index).norm() + reach_mm(surface, index, -across) +
-         reach_mm(surface, little, across);
-}
-
-// The scale across the hand at which it is as broad as asked.
-double fitting_width(const HandShape& shape) {
-  double width = shape.breadth_mm / kTableBreadthMm;
-  for (int step = 0; step < 4; ++step) {
-    const Skeleton skeleton = skeleton_of_shape(shape, width);
-    width *= shape.breadth_mm / knuckle_breadth_mm(surface_of(shape, width, skeleton), skeleton);
-  }
-  return width;
-}
-
-double nail_share(const HandSurface& surface, const Eigen::Vector3d& point) {
-  double share = 0;
-  for (const Nail& nail : surface.flesh().nails) share = std::max(share, nail_share(nail, point));
-  return share;
+// From the nail's middle outwards.
+double albedo_at(double distance) {
+  const auto blended = [distance](double from, double to, double a, double b) {
+    return std::lerp(a, b, std::clamp((distance - from) / (to - from), 0.0, 1.0));
+  };
+  return distance < 1.1 ? blended(.85, 1.1, kNailAlbedo, kFoldAlbedo)
+                        : blended(1.1, kFoldEnd, kFoldAlbedo, kSkinAlbedo);
 }
 
 // Few triangles, but all of them on the nails, where the grey changes.
 RawMesh reduced(const HandSurface& surface, const RawMesh& fine) {
   std::vector<bool> kept;
-  for (const Eigen::Vector3d& v : fine.vertices) kept.push_back(nail_share(surface, v) > 0);
+  for (const Eigen::Vector3d& v : fine.vertices) {
+    kept.push_back(distance_from_nails(surface, v) < kFoldEnd);
+  }
   return simplified(fine, kTriangleCount, kept);
 }
 
@@ -84,8 +55,7 @@ Mesh finished_mesh(const HandSurface& surface, const RawMesh& raw) {
   for (const Eigen::Vector3d& vertex : raw.vertices) {
     mesh.vertices.push_back((vertex / 1000).cast<float>());
     mesh.normals.push_back(surface.gradient(vertex).normalized().cast<float>());
-    const double albedo = std::lerp(kSkinAlbedo, 1.0, nail_share(surface, vertex));
-    mesh.albedo.push_back(static_cast<float>(albedo));
+    mesh.albedo.push_back(static_cast<float>(albedo_at(distance_from_nails(surface, vertex))));
   }
   mesh.triangles = raw.triangles;
   return mesh;
@@ -101,11 +71,12 @@ void check(const HandShape& shape) {
   };
   within("length_mm", shape.length_mm, 100, 240);
   within("breadth_mm", shape.breadth_mm, .36 * shape.length_mm, .54 * shape.length_mm);
-  within("finger_length", shape.finger_length, .8, 1.2);
-  within("finger_thickness", shape.finger_thickness, .8, 1.15);
-  within("palm_thickness", shape.palm_thickness, .8, 1.25);
-  within("forearm_thickness", shape.forearm_thickness, .75, 1.3);
-  within("forearm_length_mm", shape.forearm_length_mm, 60, 250);
+  const double length = shape.length_mm, breadth = shape.breadth_mm;
+  within("finger_length_mm", shape.finger_length_mm, .49 * length, .60 * length);
+  within("finger_breadth_mm", shape.finger_breadth_mm, .185 * breadth, .262 * breadth);
+  within("palm_thickness_mm", shape.palm_thickness_mm, .25 * breadth, .42 * breadth);
+  within("forearm_breadth_mm", shape.forearm_breadth_mm, .5 * breadth, .87 * breadth);
+  within("forearm_length_mm", shape.forearm_length_mm, 60, 300);
 }
 
 std::string rig_map_text(const Hand& hand) {
@@ -130,27 +101,10 @@ std::string rig_map_text(const Hand& hand) {
 
 HandShape default_hand_shape(const std::string& name) {
   const HandShape shapes[] = {
-      {.name = "male"},
-      {.name = "female",
-       .length_mm = 180,
-       .breadth_mm = 78,
-       .finger_thickness = .96,
-       .palm_thickness = .95,
-       .forearm_thickness = .93},
-      {.name = "slender",
-       .length_mm = 190,
-       .breadth_mm = 76,
-       .finger_length = 1.04,
-       .finger_thickness = .94,
-       .palm_thickness = .92,
-       .forearm_thickness = .88},
-      {.name = "child",
-       .length_mm = 140,
-       .breadth_mm = 66,
-       .finger_length = .95,
-       .finger_thickness = 1.03,
-       .palm_thickness = 1.06,
-       .forearm_thickness = 1.0},
+      {"male", 193, 88, 106, 20.5, 28, 59, 180},
+      {"female", 180, 78, 99, 17.8, 24.5, 51.5, 180},
+      {"slender", 190, 76, 107, 17.5, 23.5, 50, 180},
+      {"child", 140, 66, 75.5, 15.5, 21.5, 45, 160},
   };
   for (const HandShape& shape : shapes) {
     if (shape.name == name) return shape;
@@ -158,19 +112,34 @@ HandShape default_hand_shape(const std::string& name) {
   throw Error({.key = "hand", .expected = "male, female, slender or child", .found = name});
 }
 
+HandShape in_proportion(const HandShape& base, const WantedMeasures& wanted) {
+  HandShape shape = base;
+  shape.length_mm = wanted.length_mm.value_or(base.length_mm);
+  const double along = shape.length_mm / base.length_mm;
+  shape.breadth_mm = wanted.breadth_mm.value_or(base.breadth_mm * along);
+  const double across = shape.breadth_mm / base.breadth_mm;
+  shape.finger_length_mm = wanted.finger_length_mm.value_or(base.finger_length_mm * along);
+  shape.forearm_length_mm = wanted.forearm_length_mm.value_or(base.forearm_length_mm * along);
+  shape.finger_breadth_mm = wanted.finger_breadth_mm.value_or(base.finger_breadth_mm * across);
+  shape.palm_thickness_mm = wanted.palm_thickness_mm.value_or(base.palm_thickness_mm * across);
+  shape.forearm_breadth_mm = wanted.forearm_breadth_mm.value_or(base.forearm_breadth_mm * across);
+  return shape;
+}
+
 Hand make_hand(const HandShape& shape) {
   check(shape);
-  const double width = fitting_width(shape);
+  const FleshScales scales = fitting_scales(shape);
+  const double width = scales.width;
   Hand hand{.name = shape.name, .skeleton = skeleton_of_shape(shape, width)};
   hand.palm_from_bone_at_bind = palm_from_bones(hand.skeleton, bind_angles());
-  const HandSurface surface = surface_of(shape, width, hand.skeleton);
+  const HandSurface surface = surface_of_shape(shape, scales);
   RawMesh fine = mesh_surface(surface, kCellMm * width);
   relax(surface, 6, fine);
   RawMesh mesh = reduced(surface, fine);
   relax(surface, 4, mesh);
   GRASPDB_CHECK(is_sphere_like(mesh));
   hand.bind_mesh = finished_mesh(surface, mesh);
-  hand.weights = skin_weights(surface, mesh, in_millimetres(hand.palm_from_bone_at_bind), width);
+  hand.weights = skin_weights(surface, mesh, bind_frames_mm(hand.skeleton), width);
   return hand;
 }
 

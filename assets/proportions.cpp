@@ -14,7 +14,7 @@ constexpr double kFingerFractions[kFingerCount][4] = {{.463, .245, .143, .101},
                                                       {.446, .266, .170, .108},
                                                       {.421, .247, .165, .107},
                                                       {.410, .204, .119, .098}};
-constexpr double kThumbFractions[3] = {.248, .190, .158};
+constexpr double kThumbFractions[3] = {.248, .180, .152};
 
 // For a breadth of kTableBreadthMm and a length of kTableLengthMm.
 constexpr double kKnuckleXMm[kFingerCount] = {-22.5, 0, 20, 37.5};
@@ -34,28 +34,33 @@ Eigen::Vector3d knuckle(std::size_t finger, double distance, double width) {
   return {x, y, rise * y};
 }
 
-// Metres a unit of the fractions: palm and straight middle finger make up the hand's length.
-double unit_length(const HandShape& shape) {
+// Metres a unit of the fractions, along the palm and along the digits: the middle ray's palm and
+// straight finger make up the hand's length.
+struct Units {
+  double palm, digit;
+};
+
+Units units_of(const HandShape& shape) {
   const auto& middle = kFingerFractions[1];
-  const double fingers = (middle[1] + middle[2] + middle[3]) * shape.finger_length;
-  return shape.length_mm / 1000 / (middle[0] + fingers);
+  return {(shape.length_mm - shape.finger_length_mm) / 1000 / middle[0],
+          shape.finger_length_mm / 1000 / (middle[1] + middle[2] + middle[3])};
 }
 
 }  // namespace
 
 Skeleton skeleton_of_shape(const HandShape& shape, double width) {
-  const double unit = unit_length(shape), length = shape.length_mm / kTableLengthMm;
+  const Units unit = units_of(shape);
+  const double length = shape.length_mm / kTableLengthMm;
   HandMeasures measures;
   measures.cmc[0] = scaled(kThumbCmcMm, width, length);
   for (std::size_t bone = 0; bone < 3; ++bone) {
-    measures.lengths[0][bone] = kThumbFractions[bone] * unit * std::sqrt(shape.finger_length);
+    measures.lengths[0][bone] = kThumbFractions[bone] * (bone == 0 ? unit.palm : unit.digit);
   }
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     measures.cmc[finger + 1] = scaled(kCmcMm[finger], width, length);
-    measures.mcp[finger] = knuckle(finger, kFingerFractions[finger][0] * unit, width);
+    measures.mcp[finger] = knuckle(finger, kFingerFractions[finger][0] * unit.palm, width);
     for (std::size_t phalanx = 0; phalanx < 3; ++phalanx) {
-      measures.lengths[finger + 1][phalanx] =
-          kFingerFractions[finger][phalanx + 1] * unit * shape.finger_length;
+      measures.lengths[finger + 1][phalanx] = kFingerFractions[finger][phalanx + 1] * unit.digit;
     }
   }
   return skeleton_from_measures(measures);
@@ -70,7 +75,7 @@ JointAngles bind_angles() {
     angles[finger_angle(finger, kPipFlexion)] = radians(45);
     angles[finger_angle(finger, kDipFlexion)] = radians(25);
   }
-  angles[kThumbCmcFlexion] = radians(6);
+  angles[kThumbCmcFlexion] = radians(20);
   angles[kThumbCmcAbduction] = radians(28);
   angles[kThumbCmcAxial] = radians(18);
   angles[kThumbMcpFlexion] = radians(10);

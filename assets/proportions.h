@@ -9,6 +9,9 @@ namespace graspdb {
 // The hand that the tables of proportions and flesh were written for.
 constexpr double kTableBreadthMm = 86;
 constexpr double kTableLengthMm = 193;
+constexpr double kTableFingerBreadthMm = 20;
+constexpr double kTablePalmThicknessMm = 26;
+constexpr double kTableForearmBreadthMm = 58;
 
 // `width` scales everything across the hand, 1 for a hand as wide as the tables.
 Skeleton skeleton_of_shape(const HandShape& shape, double width);

@@ -19,7 +19,7 @@ HandSurface::HandSurface(HandFlesh flesh, double width, double forearm_length_mm
 }
 
 double HandSurface::palm_distance(const Eigen::Vector3d& point) const {
-  const double palm = distance_to(flesh_.palm, point), blend = 10 * width_;
+  const double palm = distance_to(flesh_.palm, point), blend = 12 * width_;
   if (forearm_box_.exteriorDistance(point) > palm + blend) return palm;
   const double cut = -forearm_length_ - point.y();
   const double forearm = -smooth_min(-distance_to(flesh_.forearm, point), -cut, 6);

@@ -14,21 +14,11 @@ namespace {
 struct MakeOptions {
   std::string base = "male";
   std::string out;
-  double length_mm = 0, breadth_mm = 0;  // 0: the base shape's
-  double finger_length = 0, finger_thickness = 0, palm_thickness = 0, forearm_thickness = 0;
+  WantedMeasures wanted;
 };
 
 HandShape shape_of(const MakeOptions& options) {
-  HandShape shape = default_hand_shape(options.base);
-  const auto replace = [](double& value, double wanted) {
-    if (wanted > 0) value = wanted;
-  };
-  replace(shape.length_mm, options.length_mm);
-  replace(shape.breadth_mm, options.breadth_mm);
-  replace(shape.finger_length, options.finger_length);
-  replace(shape.finger_thickness, options.finger_thickness);
-  replace(shape.palm_thickness, options.palm_thickness);
-  replace(shape.forearm_thickness, options.forearm_thickness);
+  HandShape shape = in_proportion(default_hand_shape(options.base), options.wanted);
   shape.name = std::filesystem::path(options.out).stem().string();
   return shape;
 }
@@ -48,20 +38,23 @@ void add_make(CLI::App& verb) {
       ->required();
   make->add_option("--base", options->base, "The default hand to start from")
       ->check(CLI::IsMember(kDefaultHands));
-  const auto add = [make](const char* name, double& value, const char* text, double low,
-                          double high) {
-    make->add_option(name, value, text)
+  const auto add = [make](const char* name, std::optional<double>& measure, const char* text,
+                          double low, double high) {
+    make->add_option(name, measure, text)
         ->check(CLI::Range(low, high))
-        ->default_str("the base hand's");
+        ->default_str("the base hand's, in proportion");
   };
-  add("--length-mm", options->length_mm, "Wrist joint to middle fingertip, mm", 100, 240);
-  add("--breadth-mm", options->breadth_mm, "Across the knuckles without the thumb, mm", 40, 120);
-  add("--finger-length", options->finger_length, "Factor on the fingers' length", 0.8, 1.2);
-  add("--finger-thickness", options->finger_thickness, "Factor on the fingers' thickness", 0.7,
-      1.3);
-  add("--palm-thickness", options->palm_thickness, "Factor on the palm's thickness", 0.7, 1.3);
-  add("--forearm-thickness", options->forearm_thickness, "Factor on the forearm's thickness", 0.7,
-      1.3);
+  WantedMeasures& wanted = options->wanted;
+  add("--length-mm", wanted.length_mm, "Wrist joint to middle fingertip, mm", 100, 240);
+  add("--breadth-mm", wanted.breadth_mm, "Across the knuckles without the thumb, mm", 36, 130);
+  add("--finger-length-mm", wanted.finger_length_mm, "Middle finger from MCP joint to tip, mm", 49,
+      144);
+  add("--finger-breadth-mm", wanted.finger_breadth_mm, "Index finger at its PIP joint, mm", 6, 34);
+  add("--palm-thickness-mm", wanted.palm_thickness_mm,
+      "Through the middle of the middle finger's metacarpal, mm", 9, 55);
+  add("--forearm-breadth-mm", wanted.forearm_breadth_mm,
+      "Just behind the wrist, an eighth of the hand's length from it, mm", 18, 113);
+  add("--forearm-mm", wanted.forearm_length_mm, "Forearm beyond the wrist joint, mm", 60, 300);
   make->callback([options] { run_make(*options); });
 }
 

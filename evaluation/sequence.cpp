@@ -31,14 +31,19 @@ Intrinsics read_camera(const TomlTable& table) {
 
 // A hand of measures that no default hand has.
 Hand read_hand(const TomlTable& table) {
-  HandShape shape;
+  WantedMeasures wanted;
+  wanted.length_mm = table.number("length_mm", 100, 240);
+  wanted.breadth_mm = table.number("breadth_mm", 36, 130);
+  const auto read = [&](const char* key, std::optional<double>& measure, double low, double high) {
+    if (table.has(key)) measure = table.number(key, low, high);
+  };
+  read("finger_length_mm", wanted.finger_length_mm, 49, 144);
+  read("finger_breadth_mm", wanted.finger_breadth_mm, 6, 34);
+  read("palm_thickness_mm", wanted.palm_thickness_mm, 9, 55);
+  read("forearm_breadth_mm", wanted.forearm_breadth_mm, 18, 113);
+  wanted.forearm_length_mm = table.number_or("forearm_length_mm", 220, 150, 300);
+  HandShape shape = in_proportion(default_hand_shape("male"), wanted);
   shape.name = table.string("name");
-  shape.length_mm = table.number("length_mm", 100, 240);
-  shape.breadth_mm = table.number("breadth_mm", 40, 120);
-  shape.finger_length = table.number_or("finger_length", 1, 0.8, 1.2);
-  shape.finger_thickness = table.number_or("finger_thickness", 1, 0.7, 1.3);
-  shape.palm_thickness = table.number_or("palm_thickness", 1, 0.7, 1.3);
-  shape.forearm_length_mm = table.number_or("forearm_length_mm", 220, 150, 300);
   table.finish();
   return make_hand(shape);
 }

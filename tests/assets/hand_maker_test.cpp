@@ -41,12 +41,18 @@ Hand mirrored(Hand hand) {
   return hand;
 }
 
-TEST(HandMaker, CommittedMaleHandIsTheOneThatIsMade) {
-  const Hand made = make_hand(default_hand_shape("male"));
-  const Hand committed = load_hand(kHands + "male.glb");
+class CommittedHand : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(CommittedHand, IsTheOneThatIsMade) {
+  const Hand made = make_hand(default_hand_shape(GetParam()));
+  const Hand committed = load_hand(kHands + GetParam() + ".glb");
   expect_same_hand(committed, made);
   EXPECT_EQ(committed.name, made.name);
 }
+
+INSTANTIATE_TEST_SUITE_P(Hands, CommittedHand,
+                         ::testing::Values("male", "female", "slender", "child"),
+                         [](const auto& test) { return test.param; });
 
 TEST(HandMaker, WrittenHandIsLoadedAsItWas) {
   const Hand hand = load_hand(kHands + "male.glb");
@@ -140,12 +146,12 @@ TEST(HandMaker, RefusesAnUnknownDefaultHand) {
 
 TEST(HandMaker, NamesTheMeasureThatNoHandHas) {
   HandShape shape = default_hand_shape("male");
-  shape.finger_thickness = 3;
+  shape.finger_breadth_mm = 60;
   try {
     make_hand(shape);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.fault().key, "finger_thickness");
+    EXPECT_EQ(error.fault().key, "finger_breadth_mm");
   }
 }
 

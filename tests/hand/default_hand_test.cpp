@@ -74,7 +74,7 @@ TEST_P(DefaultHand, SkinAtTheBindPoseIsTheBindSkin) {
     bind[finger_angle(f, kPipFlexion)] = radians(45);
     bind[finger_angle(f, kDipFlexion)] = radians(25);
   }
-  bind[kThumbCmcFlexion] = radians(6);
+  bind[kThumbCmcFlexion] = radians(20);
   bind[kThumbCmcAbduction] = radians(28);
   bind[kThumbCmcAxial] = radians(18);
   bind[kThumbMcpFlexion] = radians(10);
