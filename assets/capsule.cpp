@@ -34,17 +34,28 @@ double smooth_min(double a, double b, double blend) {
   return overlap > 0 ? std::min(a, b) - overlap * overlap / (4 * blend) : std::min(a, b);
 }
 
-double distance_to(const Flesh& flesh, const Eigen::Vector3d& point) {
+void Flesh::add(const Capsule& capsule) {
+  const double half_length = .5 * (capsule.end - capsule.start).norm();
+  parts_.push_back({capsule, .5 * (capsule.start + capsule.end),
+                    half_length + std::max(capsule.start_radius, capsule.end_radius)});
+}
+
+double Flesh::distance_to(const Eigen::Vector3d& point) const {
+  // Away from a flat capsule its distance is up to a tenth too small.
+  constexpr double kSafety = .9;
   double distance = 1e9;
-  for (const Capsule& capsule : flesh) {
-    distance = smooth_min(distance, distance_to(capsule, point), capsule.blend);
+  for (const Part& part : parts_) {
+    const double least = kSafety * ((point - part.middle).norm() - part.radius);
+    if (least > distance + part.capsule.blend) continue;  // changes nothing
+    distance = smooth_min(distance, graspdb::distance_to(part.capsule, point), part.capsule.blend);
   }
   return distance;
 }
 
-Eigen::AlignedBox3d bounds_of(const Flesh& flesh) {
+Eigen::AlignedBox3d Flesh::bounds() const {
   Eigen::AlignedBox3d box;
-  for (const Capsule& capsule : flesh) {
+  for (const Part& part : parts_) {
+    const Capsule& capsule = part.capsule;
     for (const auto& [centre, radius] : {std::pair{capsule.start, capsule.start_radius},
                                          std::pair{capsule.end, capsule.end_radius}}) {
       box.extend(centre - Eigen::Vector3d::Constant(radius + capsule.blend / 4));

@@ -29,8 +29,20 @@ double distance_to(const Capsule& capsule, const Eigen::Vector3d& point);
 double smooth_min(double a, double b, double blend);
 
 // A body of flesh: capsules joined one after the other.
-using Flesh = std::vector<Capsule>;
-double distance_to(const Flesh& flesh, const Eigen::Vector3d& point);
-Eigen::AlignedBox3d bounds_of(const Flesh& flesh);
+class Flesh {
+ public:
+  void add(const Capsule& capsule);
+  const Capsule& last() const { return parts_.back().capsule; }
+  double distance_to(const Eigen::Vector3d& point) const;
+  Eigen::AlignedBox3d bounds() const;
+
+ private:
+  struct Part {
+    Capsule capsule;
+    Eigen::Vector3d middle;  // of a sphere round the capsule
+    double radius;
+  };
+  std::vector<Part> parts_;
+};
 
 }  // namespace graspdb

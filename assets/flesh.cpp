@@ -30,8 +30,8 @@ class Builder {
   // Positions in real millimetres in the bone's frame, radii and blend in table millimetres.
   void add(double blend, const Eigen::Vector3d& start, const Eigen::Vector3d& end,
            double start_radius, double end_radius, double start_depth = 1, double end_depth = 1) {
-    flesh_.push_back({frame_ * start, frame_ * end, start_radius * scale_, end_radius * scale_,
-                      frame_.rotation.col(2), start_depth, end_depth, blend * scale_});
+    flesh_.add({frame_ * start, frame_ * end, start_radius * scale_, end_radius * scale_,
+                frame_.rotation.col(2), start_depth, end_depth, blend * scale_});
   }
 
  private:
@@ -115,7 +115,7 @@ class Maker {
     const double head = kHeadRadii[finger];
     Builder builder(flesh_.palm, frame(bone), scales_.width);
     builder.add(kPalmBlend, {0, 0, -5 * deep}, {0, l, -4.5 * deep}, 11, .95 * head, depth, depth);
-    flesh_.rays[static_cast<std::size_t>(finger) + 1] = flesh_.palm.back();
+    flesh_.rays[static_cast<std::size_t>(finger) + 1] = flesh_.palm.last();
     builder.add(kPadBlend, {0, 0, 0}, {0, l, -.1 * deep}, 7.5, .86 * head);
     builder.add(kPalmBlend, {0, l - 13, -8.5 * deep}, {0, l - 1, -8.5 * deep}, 8, 8);
   }
@@ -127,8 +127,8 @@ class Maker {
   void add_to_palm(const Eigen::Vector3d& start, const Eigen::Vector3d& end, double start_radius,
                    double end_radius) {
     const double width = scales_.width, depth = scales_.palm / width;
-    flesh_.palm.push_back({start, end, start_radius * width, end_radius * width,
-                           Eigen::Vector3d::UnitZ(), depth, depth, kPalmBlend * width});
+    flesh_.palm.add({start, end, start_radius * width, end_radius * width, Eigen::Vector3d::UnitZ(),
+                     depth, depth, kPalmBlend * width});
   }
 
   Eigen::Vector3d on_bone(int bone, double along, double z) const {
@@ -155,7 +155,7 @@ class Maker {
       return on_bone(finger_bone(0, kMetacarpal), along, -5);
     };
     add_to_palm(on_thumb(0, -1), on_thumb(1, -1), 10, 8.8);
-    flesh_.rays[0] = flesh_.palm.back();
+    flesh_.rays[0] = flesh_.palm.last();
     add_to_palm(palm_point(-9, 21, -12), on_thumb(.70, -5), 13, 9.5);
     add_to_palm(palm_point(-4, 30, -12), on_thumb(.55, -5), 12, 9.5);
     add_to_palm(on_thumb(.45, -1), on_index(.45), 9, 9.5);
@@ -175,8 +175,8 @@ class Maker {
     const double scale = scales_.forearm, l = shape_.forearm_length_mm;
     Builder builder(flesh_.forearm, frame(kForearm), scale);
     const double z = -4.5 * scale;
-    builder.add(0, {0, -2, z}, {0, -40, z}, 25, 26.5, .66, .76);
-    builder.add(2, {0, -40, z}, {0, -80, z}, 26.5, 30, .76, .84);
+    builder.add(0, {0, -8, z}, {0, -42, z}, 24.5, 26.5, .62, .76);
+    builder.add(2, {0, -42, z}, {0, -80, z}, 26.5, 30, .76, .84);
     builder.add(2, {0, -80, z}, {0, -125, z}, 30, 35, .84, .88);
     builder.add(2, {0, -125, z}, {0, -l - 50, z}, 35, 43, .88, .90);
     builder.add(12, {16.5 * scale, -14, 2.5 * scale}, {13 * scale, -65, 0}, 7.5, 7);

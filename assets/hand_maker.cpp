@@ -134,7 +134,7 @@ Hand make_hand(const HandShape& shape) {
   hand.palm_from_bone_at_bind = palm_from_bones(hand.skeleton, bind_angles());
   const HandSurface surface = surface_of_shape(shape, scales);
   RawMesh fine = mesh_surface(surface, kCellMm * width);
-  relax(surface, 6, fine);
+  relax(surface, 3, fine);
   RawMesh mesh = reduced(surface, fine);
   relax(surface, 4, mesh);
   GRASPDB_CHECK(is_sphere_like(mesh));

@@ -10,7 +10,7 @@
 namespace graspdb {
 namespace {
 
-constexpr int kBlock = 8;  // cells a side that are decided together
+constexpr int kBlock = 4;  // cells a side that are decided together
 constexpr std::uint32_t kNone = ~0u;
 
 // Surface nets (Gibson 1998): a vertex in every cell that the surface crosses, a quad across every
@@ -58,8 +58,8 @@ class SurfaceNets {
   void sample_block(const Eigen::Vector3i& first) {
     const Eigen::Vector3d centre = first.cast<double>().array() + .5 * (kBlock - 1);
     const double at_centre = surface_.distance(position(centre));
-    // Distances are only right to first order, so half of what would do is left as a margin.
-    const bool far = std::abs(at_centre) > 2 * kBlock * cell_;
+    // A corner is .87 of a side away; distances are only right to first order, hence a margin.
+    const bool far = std::abs(at_centre) > 1.3 * kBlock * cell_;
     const Eigen::Vector3i last = (first.array() + kBlock).min(size_.array());
     for (int z = first[2]; z < last[2]; ++z) {
       for (int y = first[1]; y < last[1]; ++y) {
@@ -197,9 +197,10 @@ void relax(const HandSurface& surface, int passes, RawMesh& mesh) {
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Eigen::Vector3d> before = mesh.vertices;
     parallel_for(before.size(), 0, [&](std::size_t v) {
-      const Eigen::Vector3d normal = surface.gradient(before[v]).normalized();
+      const Eigen::Vector3d gradient = surface.gradient(before[v]);
+      const Eigen::Vector3d normal = gradient.normalized();
       const Eigen::Vector3d step = .5 * (mean_of(before, neighbours[v]) - before[v]);
-      mesh.vertices[v] = surface.projected(before[v] + step - step.dot(normal) * normal);
+      mesh.vertices[v] = surface.projected(before[v] + step - step.dot(normal) * normal, gradient);
     });
   }
 }

@@ -24,7 +24,7 @@ struct Collapse {
 // Among collapses of equal error the shorter edge goes first, which keeps triangles even.
 constexpr double kLengthWeight = 2e-3;
 constexpr double kLongestEdgeMm = 9;
-constexpr double kWorstQuality = .15;
+constexpr double kWorstQuality = .3;
 
 class Simplifier {
  public:

@@ -26,7 +26,7 @@ struct Joint {
   double shift;
 };
 constexpr std::array<Joint, 3> kThumbJoints = {
-    {{kThumbMetacarpal, 25, 0}, {kThumbProximal, 17, 1}, {kThumbDistal, 13, 0}}};
+    {{kThumbMetacarpal, 21, -2}, {kThumbProximal, 17, 1}, {kThumbDistal, 13, 0}}};
 
 std::array<Joint, 4> finger_joints(int finger) {
   return {{{finger_bone(finger, kMetacarpal), 20, 6},
@@ -60,7 +60,7 @@ class Weigher {
     double thumb_end = 1e9, finger = 1e9, palm = 1e9;
     for (int i = 0; i < 5; ++i) {
       const double phalanges =
-          distance_to(surface_.flesh().digits[static_cast<std::size_t>(i)], point);
+          surface_.flesh().digits[static_cast<std::size_t>(i)].distance_to(point);
       const double metacarpal =
           distance_to(surface_.flesh().rays[static_cast<std::size_t>(i)], point);
       share[i] = std::min(phalanges, metacarpal);
@@ -72,7 +72,7 @@ class Weigher {
     const double softness = width_ * std::lerp(1.6, 8.0, off_finger);
     const double nearest = share.tail<4>().minCoeff();
     const double off_thumb = smooth_step(-26 * width_, -6 * width_, thumb_end - palm);
-    const double web = width_ * std::lerp(4, 42, std::min(off_finger, off_thumb));
+    const double web = width_ * std::lerp(4, 38, std::min(off_finger, off_thumb));
     const double thumb = smooth_step(-web, web, nearest - share[0]);
     share = ((nearest - share) / softness).exp();
     share *= (1 - thumb) / share.tail<4>().sum();

@@ -9,9 +9,9 @@ HandSurface::HandSurface(HandFlesh flesh, double width, double forearm_length_mm
     : flesh_(std::move(flesh)),
       width_(width),
       forearm_length_(forearm_length_mm),
-      forearm_box_(bounds_of(flesh_.forearm)) {
-  for (std::size_t i = 0; i < 5; ++i) digit_boxes_[i] = bounds_of(flesh_.digits[i]);
-  bounds_ = bounds_of(flesh_.palm).merged(forearm_box_);
+      forearm_box_(flesh_.forearm.bounds()) {
+  for (std::size_t i = 0; i < 5; ++i) digit_boxes_[i] = flesh_.digits[i].bounds();
+  bounds_ = flesh_.palm.bounds().merged(forearm_box_);
   for (const Eigen::AlignedBox3d& box : digit_boxes_) bounds_.extend(box);
   bounds_.min().y() = -forearm_length_;
   bounds_.min().array() -= 5;  // room for what blending adds
@@ -19,10 +19,10 @@ HandSurface::HandSurface(HandFlesh flesh, double width, double forearm_length_mm
 }
 
 double HandSurface::palm_distance(const Eigen::Vector3d& point) const {
-  const double palm = distance_to(flesh_.palm, point), blend = 12 * width_;
+  const double palm = flesh_.palm.distance_to(point), blend = 10 * width_;
   if (forearm_box_.exteriorDistance(point) > palm + blend) return palm;
   const double cut = -forearm_length_ - point.y();
-  const double forearm = -smooth_min(-distance_to(flesh_.forearm, point), -cut, 6);
+  const double forearm = -smooth_min(-flesh_.forearm.distance_to(point), -cut, 6);
   return smooth_min(palm, forearm, blend);
 }
 
@@ -32,7 +32,7 @@ double HandSurface::distance(const Eigen::Vector3d& point) const {
   double distance = palm;
   for (std::size_t i = 0; i < 5; ++i) {
     if (digit_boxes_[i].exteriorDistance(point) > distance + blend) continue;  // changes nothing
-    distance = std::min(distance, smooth_min(palm, distance_to(flesh_.digits[i], point), blend));
+    distance = std::min(distance, smooth_min(palm, flesh_.digits[i].distance_to(point), blend));
   }
   return distance;
 }
@@ -48,13 +48,14 @@ Eigen::Vector3d HandSurface::gradient(const Eigen::Vector3d& point) const {
   return gradient / (4 * kStep);
 }
 
-Eigen::Vector3d HandSurface::projected(const Eigen::Vector3d& point) const {
+Eigen::Vector3d HandSurface::projected(const Eigen::Vector3d& point,
+                                       const Eigen::Vector3d& gradient) const {
+  const Eigen::Vector3d step = gradient / std::max(gradient.squaredNorm(), .25);
   Eigen::Vector3d at = point;
-  for (int step = 0; step < 4; ++step) {
+  for (int i = 0; i < 6; ++i) {
     const double off = distance(at);
     if (std::abs(off) < 1e-3) break;
-    const Eigen::Vector3d slope = gradient(at);
-    at -= off * slope / std::max(slope.squaredNorm(), .25);
+    at -= off * step;
   }
   return at;
 }

@@ -15,9 +15,9 @@ class HandSurface {
 
   double distance(const Eigen::Vector3d& point) const;  // negative inside
   Eigen::Vector3d gradient(const Eigen::Vector3d& point) const;
-  // The nearest point of the surface for a point that is already near it.
-  // To about a micrometre.
-  Eigen::Vector3d projected(const Eigen::Vector3d& point) const;
+  // Where the line along the gradient meets the surface, for a point that is already near it and a
+  // gradient taken close by. To about a micrometre.
+  Eigen::Vector3d projected(const Eigen::Vector3d& point, const Eigen::Vector3d& gradient) const;
 
   const HandFlesh& flesh() const { return flesh_; }
   Eigen::AlignedBox3d bounds() const { return bounds_; }
