@@ -102,9 +102,9 @@ std::string rig_map_text(const Hand& hand) {
 HandShape default_hand_shape(const std::string& name) {
   const HandShape shapes[] = {
       {"male", 193, 88, 106, 20.5, 28, 59, 180},
-      {"female", 180, 78, 99, 17.8, 24.5, 51.5, 180},
+      {"female", 180, 78, 99, 18, 24.5, 51.5, 180},
       {"slender", 190, 76, 107, 17.5, 23.5, 50, 180},
-      {"child", 140, 66, 75.5, 15.5, 21.5, 45, 160},
+      {"child", 140, 66, 75.5, 15, 20, 45, 160},
   };
   for (const HandShape& shape : shapes) {
     if (shape.name == name) return shape;

@@ -30,7 +30,7 @@ constexpr std::array<Joint, 3> kThumbJoints = {
 
 std::array<Joint, 4> finger_joints(int finger) {
   return {{{finger_bone(finger, kMetacarpal), 20, 6},
-           {finger_bone(finger, kProximal), 18, 3},
+           {finger_bone(finger, kProximal), 18, 2},
            {finger_bone(finger, kMiddle), 13, 0},
            {finger_bone(finger, kDistal), 11, 0}}};
 }
@@ -155,7 +155,7 @@ std::vector<SkinWeights> skin_weights(const HandSurface& surface, const RawMesh&
   std::vector<Shares> shares(mesh.vertices.size());
   parallel_for(shares.size(), 0,
                [&](std::size_t v) { shares[v] = weigher.shares(mesh.vertices[v]); });
-  smooth(mesh, 24, shares);
+  smooth(mesh, 18, shares);
   std::vector<SkinWeights> skins;
   for (std::size_t v = 0; v < shares.size(); ++v) {
     skins.push_back(four_largest(weigher.weights(mesh.vertices[v], shares[v])));
