@@ -2,9 +2,11 @@
 #include "graspdb/hand_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "hand_check_angles.h"
+#include "hand_check_inverted.h"
 #include "hand_check_lines.h"
 #include "hand_check_poses.h"
 #include "hand_check_reach.h"
@@ -64,8 +66,8 @@ double difference_of_skin(const Hand& a, const Hand& b) {
 std::vector<HandCheckLine> check_hand(const Hand& hand, const std::optional<AskedSize>& asked) {
   std::vector<HandCheckLine> lines;
   for (const std::vector<HandCheckLine>& part :
-       {check_surface(hand), check_poses(hand), check_reach(hand), check_size(hand, asked),
-        check_angles(hand)}) {
+       {check_surface(hand), check_inverted(hand), check_poses(hand), check_reach(hand),
+        check_size(hand, asked), check_angles(hand)}) {
     lines.insert(lines.end(), part.begin(), part.end());
   }
   return lines;
@@ -76,7 +78,7 @@ HandCheckLine check_made_again(const Hand& from_file, const std::optional<Hand>&
   if (!made) return not_applicable("made again", "m", gate, "not one of graspdb's four hands");
   const double largest =
       std::max(difference_of_frames(from_file, *made), difference_of_skin(from_file, *made));
-  return judged("made again", largest, "m", gate);
+  return judged("made again", largest, "m", gate, std::isfinite(largest) ? "" : "other triangles");
 }
 
 }  // namespace graspdb

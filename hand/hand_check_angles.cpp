@@ -100,7 +100,7 @@ bool is_in_digit(int angle) {
   return !is_wrist(angle) && !is_cmc(angle);
 }
 constexpr JointGroup kJoints[] = {
-    {"wrist", is_wrist, 10}, {"CMC joints", is_cmc, 10}, {"digits", is_in_digit, 3}};
+    {"wrist", is_wrist, 15}, {"CMC joints", is_cmc, 15}, {"digits", is_in_digit, 3}};
 
 HandCheckLine worst_following(const Hand& hand, const std::vector<PerBone<double>>& distances,
                               const JointGroup& group) {

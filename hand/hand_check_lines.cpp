@@ -85,6 +85,25 @@ bool moves_skin(const Hand& hand, int bone) {
   return false;
 }
 
+JointAngles Limit::angles() const {
+  JointAngles angles = JointAngles::Zero();
+  angles[angle] = value;
+  return angles;
+}
+
+std::string Limit::text() const {
+  return fmt::format("{} {:.0f} deg", angle_info(angle).name, degrees(value));
+}
+
+std::vector<Limit> limits_of(const AngleGroup& group) {
+  std::vector<Limit> limits;
+  for (int angle = group.first; angle < group.end; ++angle) {
+    limits.push_back({angle, angle_info(angle).lower});
+    limits.push_back({angle, angle_info(angle).upper});
+  }
+  return limits;
+}
+
 std::string no_skin_on(int bone) {
   return fmt::format("{} moves no skin", bone_name(bone));
 }

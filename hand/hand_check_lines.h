@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "graspdb/hand_check.h"
 
@@ -42,6 +43,16 @@ struct AngleGroup {
 constexpr AngleGroup kAngleGroups[] = {{"wrist", kWristFlexion, kThumbCmcFlexion},
                                        {"thumb", kThumbCmcFlexion, kFirstFingerAngle},
                                        {"fingers", kFirstFingerAngle, kAngleCount}};
+
+// One angle at one end of its range, all others at zero.
+struct Limit {
+  int angle;
+  double value;  // radians
+
+  JointAngles angles() const;
+  std::string text() const;  // "index_mcp_flexion 95 deg"
+};
+std::vector<Limit> limits_of(const AngleGroup& group);
 
 // The largest value and where it was found; one that is not a number stays.
 struct Worst {

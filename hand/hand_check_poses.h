@@ -7,7 +7,7 @@
 
 namespace graspdb {
 
-// What bending does to the skin: inverted triangles, volume change, the PIP joints' sections.
+// What bending does to the skin: volume change, the PIP joints' sections.
 std::vector<HandCheckLine> check_poses(const Hand& hand);
 
 }  // namespace graspdb

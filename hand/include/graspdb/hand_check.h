@@ -50,8 +50,10 @@ struct AskedSize {
 //   inverted triangles     triangles whose posed face looks away from where it should: its face
 //                          normal in the bind pose, turned by each bone and blended by the weights
 //                          of its corners. A count in flat, wrap and pinch; else a share of all
-//                          triangles: in the fist, and at the worst of all limits of wrist, thumb
+//                          triangles: in the fist, and at the worst of the limits of wrist, thumb
 //                          and fingers
+//   inverted and seen      those of them at a limit that no skin covers on the way out from their
+//                          middle: inverted elsewhere than in a fold
 //   volume change          against the bind pose, of the whole skin; the worst of the thumb's
 //   limits PIP section            from the PIP joint's centre, along the bisector of the two
 //   phalanges'
