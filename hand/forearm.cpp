@@ -9,14 +9,20 @@
 #include <map>
 #include <set>
 
+#include "graspdb/error.h"
+#include "subdivide.h"
+
 namespace graspdb {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double kCapCosine = .5;      // a cap's triangles face the elbow within 60 degrees
-constexpr double kWideningShare = .1;  // an arm's radius grows by a tenth of its length
+constexpr double kCapCosine = .5;  // a cap's triangles face the elbow within 60 degrees
+constexpr double kWideningShare =
+    .075;  // of its length an arm's radius grows; about as in our hands
+constexpr double kRingSpacingM = .006;
+constexpr double kLongestEdgeM = .005;  // round the end that is extended
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -98,6 +104,15 @@ void remove_unused_vertices(RigSkin& skin) {
   }
 }
 
+// The means of the normals of the triangles round each of some vertices, by area.
+void smooth_normals(const std::vector<std::uint32_t>& vertices, Mesh& mesh) {
+  std::vector<Vector3d> sums(mesh.vertices.size(), Vector3d::Zero());
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) sums[v] += face_normal(mesh, t);
+  }
+  for (const std::uint32_t v : vertices) mesh.normals[v] = sums[v].normalized().cast<float>();
+}
+
 // The open edges as one ring of vertices; empty when they are not one.
 std::vector<std::uint32_t> single_loop(const std::map<std::uint32_t, std::uint32_t>& next) {
   std::vector<std::uint32_t> loop;
@@ -113,25 +128,49 @@ std::vector<std::uint32_t> single_loop(const std::map<std::uint32_t, std::uint32
   return loop.size() == next.size() ? loop : std::vector<std::uint32_t>{};
 }
 
+// Halves the loop's edges until none is long, each with the one triangle that it belongs to.
+std::vector<std::uint32_t> refine(const std::vector<std::uint32_t>& loop, RigSkin& skin) {
+  std::vector<std::uint32_t> fine;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const std::uint32_t a = loop[i], b = loop[(i + 1) % loop.size()];
+    fine.push_back(a);
+    if (!((skin.mesh.vertices[a] - skin.mesh.vertices[b]).norm() > kLongestEdgeM)) continue;
+    const std::uint32_t middle = add_midpoint(a, b, skin);
+    fine.push_back(middle);
+    for (std::size_t t = 0; t < skin.mesh.triangles.size(); ++t) {
+      Triangle& whole = skin.mesh.triangles[t];
+      const auto from =
+          static_cast<std::size_t>(std::find(whole.begin(), whole.end(), a) - whole.begin());
+      if (from == 3 || whole[(from + 1) % 3] != b) continue;
+      const Triangle half = {middle, b, whole[(from + 2) % 3]};
+      whole[(from + 1) % 3] = middle;
+      skin.mesh.triangles.push_back(half);
+      break;
+    }
+  }
+  return fine.size() == loop.size() ? fine : refine(fine, skin);
+}
+
 // Grows rings from a loop towards the elbow.
 class Extension {
  public:
   Extension(std::vector<std::uint32_t> loop, const Vector3d& elbow, double length, RigSkin& skin)
       : loop_(std::move(loop)), elbow_(elbow), length_(length), skin_(skin) {
     for (const std::uint32_t v : loop_) centre_ += place(v) / static_cast<double>(loop_.size());
-    for (std::size_t i = 0; i < loop_.size(); ++i) {
-      edge_ += (place(loop_[i]) - place(following(loop_, i))).norm();
-      radius_ += across(loop_[i]).norm();
+    for (const std::uint32_t v : loop_) {
+      radius_ += across(v).norm() / static_cast<double>(loop_.size());
     }
-    edge_ /= static_cast<double>(loop_.size());
-    radius_ /= static_cast<double>(loop_.size());
   }
 
   void build() {
-    const int rings = std::max(1, static_cast<int>(std::lround(length_ / edge_)));
+    const int rings = std::max(1, static_cast<int>(std::lround(length_ / kRingSpacingM)));
     std::vector<std::uint32_t> ring = loop_;
     for (int i = 1; i <= rings; ++i) ring = add_ring(ring, static_cast<double>(i) / rings);
-    smooth_normals();
+    std::vector<std::uint32_t> renewed = loop_;
+    for (std::size_t v = old_vertices_; v < skin_.mesh.vertices.size(); ++v) {
+      renewed.push_back(static_cast<std::uint32_t>(v));
+    }
+    smooth_normals(renewed, skin_.mesh);
     close(ring);
   }
 
@@ -172,23 +211,6 @@ class Extension {
     return ring;
   }
 
-  // Of the loop, whose own still lean over the cap, and of all that is new.
-  void smooth_normals() {
-    std::vector<Vector3d> sums(skin_.mesh.vertices.size(), Vector3d::Zero());
-    for (const Triangle& t : skin_.mesh.triangles) {
-      for (const std::uint32_t v : t) sums[v] += face_normal(skin_.mesh, t);
-    }
-    const std::size_t first_new = sums.size() - new_vertices();
-    for (std::size_t v = first_new; v < sums.size(); ++v) set_normal(v, sums[v]);
-    for (const std::uint32_t v : loop_) set_normal(v, sums[v]);
-  }
-
-  std::size_t new_vertices() const { return skin_.mesh.vertices.size() - old_vertices_; }
-
-  void set_normal(std::size_t v, const Vector3d& normal) {
-    skin_.mesh.normals[v] = normal.normalized().cast<float>();
-  }
-
   void close(const std::vector<std::uint32_t>& ring) {
     const std::uint32_t centre = add_vertex(centre_ + elbow_ * length_, ring.front());
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -202,20 +224,27 @@ class Extension {
   RigSkin& skin_;
   std::size_t old_vertices_ = skin_.mesh.vertices.size();
   Vector3d centre_ = Vector3d::Zero();
-  double edge_ = 0, radius_ = 0;
+  double radius_ = 0;
 };
 
 }  // namespace
 
-std::optional<std::string> extend_forearm(double length, const Vector3d& elbow, RigSkin& skin) {
+std::optional<std::string> open_end(const Vector3d& elbow, RigSkin& skin) {
   std::vector<Triangle> triangles = skin.mesh.triangles;
   if (open_edges(triangles).empty()) remove_triangles(cap_of(skin.mesh, elbow), triangles);
-  std::vector<std::uint32_t> loop = single_loop(open_edges(triangles));
-  if (loop.empty()) return fmt::format("{} edges that are not", open_edges(triangles).size());
+  const auto edges = open_edges(triangles);
+  const std::vector<std::uint32_t> loop = single_loop(edges);
+  if (loop.empty()) return fmt::format("{} open edges that are not", edges.size());
   skin.mesh.triangles = std::move(triangles);
-  Extension(std::move(loop), elbow, length, skin).build();
+  smooth_normals(loop, skin.mesh);  // they leant over the cap
   remove_unused_vertices(skin);
   return std::nullopt;
+}
+
+void extend_forearm(double length, const Vector3d& elbow, RigSkin& skin) {
+  const std::vector<std::uint32_t> loop = single_loop(open_edges(skin.mesh.triangles));
+  GRASPDB_CHECK(!loop.empty());
+  Extension(refine(loop, skin), elbow, length, skin).build();
 }
 
 void split_forearm(const ForearmSplit& split, const Vector3d& elbow, RigSkin& skin) {

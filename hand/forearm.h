@@ -10,11 +10,13 @@
 
 namespace graspdb {
 
-// Lengthens the hand's end, a cap or an open loop, by `length` metres along `elbow` (a unit vector
-// in the palm's frame) and closes it. The new skin moves with that of the end. Returns what is
-// wrong with an end that is neither, and then changes nothing.
-std::optional<std::string> extend_forearm(double length, const Eigen::Vector3d& elbow,
-                                          RigSkin& skin);
+// Opens the hand's end towards the elbow (a unit vector in the palm's frame): takes its cap off,
+// unless it is open already. Returns what is wrong with an end that is then not one loop, and
+// changes nothing.
+std::optional<std::string> open_end(const Eigen::Vector3d& elbow, RigSkin& skin);
+
+// Lengthens an open end by `length` metres and closes it. The new skin moves with that of the end.
+void extend_forearm(double length, const Eigen::Vector3d& elbow, RigSkin& skin);
 
 // Gives the skin beyond the wrist to the forearm, whatever bone of the hand it moved with.
 void split_forearm(const ForearmSplit& split, const Eigen::Vector3d& elbow, RigSkin& skin);

@@ -5,11 +5,13 @@
 
 #include "forearm.h"
 #include "graspdb/error.h"
+#include "rebind.h"
 #include "rest_frames.h"
 #include "rig_file.h"
 #include "rig_joints.h"
 #include "rig_map.h"
 #include "rig_skin.h"
+#include "subdivide.h"
 
 namespace graspdb {
 namespace {
@@ -51,10 +53,12 @@ RigSkin skin_with_forearm(const RigMap& map, const RigFile& file, const RestFram
   RigSkin skin = skin_in_palm(map, file, frames.palm_from_file);
   const Eigen::Vector3d elbow = -frames.palm_from_bone[kForearm].rotation.col(1);
   if (map.forearm_extension > 0) {
-    if (const auto fault = extend_forearm(map.forearm_extension, elbow, skin)) {
+    if (const auto fault = open_end(elbow, skin)) {
       fail(map, file, "forearm.extend_mm", "an end that is one cap or one open loop", *fault);
     }
   }
+  if (map.longest_edge) subdivide(*map.longest_edge, skin);
+  if (map.forearm_extension > 0) extend_forearm(map.forearm_extension, elbow, skin);
   if (map.forearm_split) split_forearm(*map.forearm_split, elbow, skin);
   return skin;
 }
@@ -72,11 +76,12 @@ Hand load_hand(const std::filesystem::path& hand_file, const std::filesystem::pa
   const RestFrames frames = frames_from_joints(rest_joints(map, file));
   check(frames, map, file);
   RigSkin skin = skin_with_forearm(map, file, frames);
-  return {.name = hand_file.stem().string(),
-          .skeleton = frames.skeleton,
-          .bind_mesh = std::move(skin.mesh),
-          .weights = four_largest(skin.weights),
-          .palm_from_bone_at_bind = frames.palm_from_bone};
+  Hand hand{.name = hand_file.stem().string(),
+            .skeleton = frames.skeleton,
+            .bind_mesh = std::move(skin.mesh),
+            .weights = four_largest(skin.weights),
+            .palm_from_bone_at_bind = frames.palm_from_bone};
+  return map.bind_half_bent ? bound_half_bent(std::move(hand)) : hand;
 }
 
 Hand load_hand(const std::filesystem::path& hand_file) {

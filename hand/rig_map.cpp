@@ -123,6 +123,14 @@ void read_corrections(const TomlTable& table, RigMap& map) {
   table.finish();
 }
 
+void read_skin(const TomlTable& table, RigMap& map) {
+  if (table.has("longest_edge_mm")) {
+    map.longest_edge = table.number("longest_edge_mm", 2, 50) / 1000;
+  }
+  map.bind_half_bent = table.boolean_or("bind_half_bent", false);
+  table.finish();
+}
+
 }  // namespace
 
 RigMap load_rig_map(const std::filesystem::path& path) {
@@ -138,6 +146,7 @@ RigMap load_rig_map(const std::filesystem::path& path) {
   if (const auto corrections = table.table_if_any("corrections")) {
     read_corrections(*corrections, map);
   }
+  if (const auto skin = table.table_if_any("skin")) read_skin(*skin, map);
   table.finish();
   return map;
 }

@@ -44,6 +44,8 @@ struct RigMap {
   // length a finger lies at rest, its back to the thumb's side, radians.
   PerBone<double> moved_along{};
   std::array<double, kFingerCount> finger_rolls{};
+  std::optional<double> longest_edge;  // metres; longer ones are halved
+  bool bind_half_bent = false;         // see bound_half_bent
 };
 
 RigMap load_rig_map(const std::filesystem::path& path);

@@ -23,6 +23,7 @@ bool is_sound(const RigMap& map) {
     if (!std::isfinite(map.moved_along[i])) return false;
   }
   if (map.forearm_split.has_value() != map.bones[kForearm].empty()) return false;
+  if (map.longest_edge && !(*map.longest_edge > 0)) return false;
   if (map.forearm_split && !(map.forearm_split->width > 0)) return false;
   return std::ranges::all_of(map.finger_rolls, [](double roll) { return std::isfinite(roll); }) &&
          std::isfinite(map.forearm_extension) && std::abs(map.thumb_nail.norm() - 1) < 1e-9;

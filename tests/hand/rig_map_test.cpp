@@ -161,6 +161,14 @@ TEST(RigMap, CorrectionsMoveJointsAlongTheirBonesAndRollFingers) {
   EXPECT_LT(testing::largest_difference(rolled.skeleton, whole.skeleton), 1e-12);
 }
 
+TEST(RigMap, RefusesSkinThatItCannotMake) {
+  for (const std::string line : {"longest_edge_mm = 0", "longest_edge_mm = \"short\"",
+                                 "longest_edge = 10", "bind_half_bent = 1", "bound = true"}) {
+    EXPECT_THAT(refusal_of(map_plus("[skin]\n" + line + "\n")),
+                HasSubstr("skin." + line.substr(0, line.find(' '))));
+  }
+}
+
 TEST(RigMap, RefusesCorrectionsOfWhatIsNotThere) {
   EXPECT_THAT(refusal_of(map_without_metacarpals() + "[corrections]\nring_metacarpal_mm = 2\n"),
               AllOf(HasSubstr("corrections.ring_metacarpal_mm"), HasSubstr("no bones.ring_meta")));

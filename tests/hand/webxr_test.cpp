@@ -46,15 +46,18 @@ TEST_F(WebXr, IsClosedWithAForearm) {
   }
 }
 
-// The segments are not as long as ours in proportion: docs/hands.md has what is left, and why.
+// Its knuckles lie deeper in the palm than ours and the joint at its thumb's root further out:
+// docs/hands.md has all that is left, and why.
 TEST_F(WebXr, JointsLieNearOursInTheSamePoses) {
   const Hand male = load_hand(testing::kMale), right = load_hand(kRight);
   const double scale = hand_length(male.skeleton) / hand_length(right.skeleton);
   for (const std::string_view name : kNamedPoses) {
     const Keypoints difference = scale * keypoints_in_palm(right.skeleton, named_pose(name)) -
                                  keypoints_in_palm(male.skeleton, named_pose(name));
-    EXPECT_LT(difference.colwise().norm().maxCoeff(), .010) << name;
-    EXPECT_LT(difference.colwise().norm().mean(), .005) << name;
+    const auto distances = difference.colwise().norm();
+    EXPECT_LT(distances.segment<4>(1).maxCoeff(), .020) << name;
+    EXPECT_LT(distances.tail<16>().maxCoeff(), .009) << name;
+    EXPECT_LT(distances.tail<16>().mean(), .005) << name;
   }
 }
 

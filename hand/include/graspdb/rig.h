@@ -27,6 +27,8 @@ namespace graspdb {
 //   [corrections]    index_proximal_mm, ...: how far a bone's joint is moved towards its far end;
 //                    index_roll_deg, ...: how far a finger's back faces the thumb's side at rest,
 //                    beyond what the joints tell
+//   [skin]           longest_edge_mm: longer edges are halved, on a curved surface;
+//                    bind_half_bent: true for a hand that is bound with straight fingers
 std::filesystem::path rig_map_beside(const std::filesystem::path& hand_file);
 
 // Reads mesh, weights and joint positions from `hand_file`, and everything else that a hand is
