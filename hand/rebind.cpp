@@ -36,9 +36,9 @@ RigidTransform blend(const SkinWeights& skin, const PerBone<DualQuaternion>& of_
 JointAngles half_bent() {
   JointAngles angles = JointAngles::Zero();
   for (int finger = 0; finger < kFingerCount; ++finger) {
-    angles[finger_angle(finger, kMcpFlexion)] = radians(10);
-    angles[finger_angle(finger, kPipFlexion)] = radians(50);
-    angles[finger_angle(finger, kDipFlexion)] = radians(35);
+    angles[finger_angle(finger, kMcpFlexion)] = radians(12);
+    angles[finger_angle(finger, kPipFlexion)] = radians(60);
+    angles[finger_angle(finger, kDipFlexion)] = radians(40);
   }
   angles[kThumbCmcFlexion] = radians(20);
   angles[kThumbCmcAbduction] = radians(15);

@@ -89,11 +89,11 @@ double thickness(const Hand& hand, double flexion) {
 
 TEST(BoundHalfBent, KeepsTheThicknessOfAJointWhereItIsBoundAndMostOfItElsewhere) {
   const Hand flat = flat_hand(), bent = bound_half_bent(flat_hand());
-  const double bend = radians(50);
+  const double bend = radians(60);
   EXPECT_NEAR(thickness(bent, bend), .008, 1e-6);
   EXPECT_NEAR(thickness(flat, radians(105)), .008 * std::cos(radians(52.5)), 1e-6);
-  EXPECT_NEAR(thickness(bent, radians(105)), .008 * std::cos(radians(27.5)), 1e-6);
-  EXPECT_NEAR(thickness(bent, 0), .008 * std::cos(radians(25)), 1e-6);
+  EXPECT_NEAR(thickness(bent, radians(105)), .008 * std::cos(radians(22.5)), 1e-6);
+  EXPECT_NEAR(thickness(bent, 0), .008 * std::cos(radians(30)), 1e-6);
 }
 
 TEST(BoundHalfBent, MovesNoJointAndNoSkinOfOneBone) {
