@@ -91,7 +91,8 @@ class FileCheck {
   void add_weights(const aiBone& bone, std::vector<Vertex>& vertices) {
     constexpr double kIdle = 1e-6;
     for (unsigned i = 0; i < bone.mNumWeights; ++i) {
-      const auto& [v, weight] = bone.mWeights[i];
+      const unsigned v = bone.mWeights[i].mVertexId;
+      const float weight = bone.mWeights[i].mWeight;
       if (weight == 0) continue;
       vertices[v].sum += weight;
       vertices[v].bones += weight > kIdle;
