@@ -2,6 +2,7 @@
 // Somebody else's hand: WebXR's generic one, which scripts/fetch_hands.sh fetches.
 #include <gtest/gtest.h>
 
+#include "graspdb/hand_file_check.h"
 #include "graspdb/named_poses.h"
 #include "rig_maps.h"
 #include "support/closed_surface.h"
@@ -43,6 +44,19 @@ TEST_F(WebXr, IsClosedWithAForearm) {
     double reach = 0;
     for (const Eigen::Vector3f& v : mesh.vertices) reach = std::max<double>(reach, -v.y());
     EXPECT_GT(reach, .15);
+  }
+}
+
+// The left index's metacarpal lies 2 mm further from the thumb than the right one's.
+TEST_F(WebXr, PassesTheCheckOfHandsButForOneLineOnTheLeft) {
+  for (const auto& file : {kRight, kLeft}) {
+    std::vector<HandCheckLine> lines = check_hand_file(file);
+    for (const HandCheckLine& line : check_hand(load_hand(file))) lines.push_back(line);
+    for (const HandCheckLine& line : lines) {
+      if (file == kLeft && line.name == "skin follows, CMC joints") continue;
+      EXPECT_NE(line.status, HandCheckLine::Status::kFail)
+          << file << ": " << line.name << " " << line.value << " " << line.why;
+    }
   }
 }
 
