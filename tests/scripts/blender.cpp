@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "blender.h"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "graspdb/file.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb::testing {
+
+bool has_blender() {
+  static const bool found = std::system("command -v blender >/dev/null") == 0;
+  return found;
+}
+
+BlenderOutcome run_blender(const std::string& scene, const std::string& script,
+                           const std::string& arguments) {
+  const TemporaryDirectory directory;
+  const std::string out = (directory / "out").string();
+  // The user's settings would make it another Blender; a script that fails must show.
+  const std::string command = fmt::format(
+      "blender -b {} --factory-startup --python-exit-code 1 --python '{}/{}' -- {} >'{}' 2>&1",
+      scene, GRASPDB_SOURCE_DIR, script, arguments, out);
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out)};
+}
+
+}  // namespace graspdb::testing
