@@ -16,14 +16,24 @@ bool has_blender() {
   return found;
 }
 
-BlenderOutcome run_blender(const std::string& scene, const std::string& script,
-                           const std::string& arguments) {
+namespace {
+
+std::string opened(const std::filesystem::path& scene) {
+  if (scene.empty()) return "";
+  return fmt::format("{} '{}'", scene.extension() == ".py" ? "--python" : "", scene.string());
+}
+
+}  // namespace
+
+BlenderOutcome run_blender(const std::filesystem::path& scene, const std::filesystem::path& script,
+                           const std::vector<std::string>& arguments) {
   const TemporaryDirectory directory;
   const std::string out = (directory / "out").string();
+  const std::filesystem::path root = GRASPDB_SOURCE_DIR;
   // The user's settings would make it another Blender; a script that fails must show.
   const std::string command = fmt::format(
-      "blender -b {} --factory-startup --python-exit-code 1 --python '{}/{}' -- {} >'{}' 2>&1",
-      scene, GRASPDB_SOURCE_DIR, script, arguments, out);
+      "blender -b --factory-startup --python-exit-code 1 {} --python '{}' -- '{}' >'{}' 2>&1",
+      opened(scene), (root / script).string(), fmt::join(arguments, "' '"), out);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out)};
 }

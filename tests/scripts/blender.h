@@ -3,7 +3,9 @@
 // these tests are skipped, and say so.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace graspdb::testing {
 
@@ -15,9 +17,9 @@ struct BlenderOutcome {
   std::string output;  // all that it printed
 };
 
-// `scene` is a .blend, or empty; `script` lies under the project's root; `arguments` goes to a
-// shell.
-BlenderOutcome run_blender(const std::string& scene, const std::string& script,
-                           const std::string& arguments);
+// `scene` is a .blend, a script that makes a scene, or empty; `script` is seen from the project's
+// root.
+BlenderOutcome run_blender(const std::filesystem::path& scene, const std::filesystem::path& script,
+                           const std::vector<std::string>& arguments);
 
 }  // namespace graspdb::testing

@@ -61,10 +61,9 @@ TEST_P(Skinning, AgreesWithBlenderWithinAMicrometre) {
   poses.push_back(posed(hand, "upper_limits", upper_limits()));
   const testing::TemporaryDirectory folder;
   write_text(folder / "poses.json", poses.dump());
-  const testing::BlenderOutcome outcome =
-      testing::run_blender("", "scripts/blender/check_skinning.py",
-                           "'" + file + "' '" + (folder / "poses.json").string() + "' '" +
-                               (folder / "differences.json").string() + "'");
+  const testing::BlenderOutcome outcome = testing::run_blender(
+      "", "scripts/blender/check_skinning.py",
+      {file, (folder / "poses.json").string(), (folder / "differences.json").string()});
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   const json differences_mm = json::parse(read_text(folder / "differences.json"));
   ASSERT_EQ(differences_mm.size(), poses.size());
