@@ -56,15 +56,15 @@ def tip_lines(tips, tails):
     """`tails` has the far ends of distal bones, for the digits without a joint at the tip."""
     yield "\n[tips]"
     if set(tails) - set(tips):
-        yield "# Positions are the far ends of the last bones; they should lie at the very tips,"
-        yield "# on the skin."
+        yield "# Positions are the far ends of the last bones. Delete one that does not lie at the"
+        yield "# very tip: graspdb then takes the place where the last bone leaves the skin."
     for digit in DIGITS:
         if digit in tips:
             yield f"{digit} = {quoted(tips[digit])}"
         elif digit in tails:
             yield f"{digit}_position = {vector(tails[digit])}"
         else:
-            yield FILL_IN + f'{digit} = "..." or {digit}_position = [x, y, z]'
+            yield f'# {digit} = "..."  # none was found; leave it out when the file has none'
 
 
 def left_over_lines(bones, tips, names, skinned):
@@ -73,8 +73,8 @@ def left_over_lines(bones, tips, names, skinned):
     left = [name for name in names if name not in named]
     moving = [name for name in left if name in skinned]
     if moving:
-        yield "\n# These move skin too: graspdb refuses the hand until each is added to the bone that"
-        yield "# it belongs to (a list may have several names), or its skin is deleted."
+        yield "\n# These move skin too: graspdb refuses the hand until each is added to the bone"
+        yield "# that it belongs to (a list may have several names), or its skin is deleted."
         yield from (f"#   {name}" for name in moving)
     idle = [name for name in left if name not in skinned]
     if idle:
