@@ -34,11 +34,12 @@ std::optional<double> distance_along(const Vector3d& origin, const Vector3d& dir
     const Vector3d ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
     const Vector3d across = direction.cross(ac), from_a = origin - triangle.a;
     const double determinant = ab.dot(across);
-    if (determinant == 0) continue;
     const double u = from_a.dot(across) / determinant;
-    const double v = direction.dot(from_a.cross(ab)) / determinant;
-    const double distance = ac.dot(from_a.cross(ab)) / determinant;
-    if (!(u >= 0 && v >= 0 && u + v <= 1 && distance > 0)) continue;
+    if (!(u >= 0 && u <= 1)) continue;  // nor when the ray runs along the triangle
+    const Vector3d around = from_a.cross(ab);
+    const double v = direction.dot(around) / determinant;
+    const double distance = ac.dot(around) / determinant;
+    if (!(v >= 0 && u + v <= 1 && distance > 0)) continue;
     nearest = std::min(distance, nearest.value_or(distance));
   }
   return nearest;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "graspdb/named_poses.h"
+#include "graspdb/parallel.h"
 #include "hand_check_geometry.h"
 #include "hand_check_lines.h"
 
@@ -63,11 +64,14 @@ double percent(const Hand& hand, std::size_t triangles) {
 }
 
 void add_limit_lines(const Hand& hand, const AngleGroup& group, std::vector<HandCheckLine>& lines) {
+  const std::vector<Limit> limits = limits_of(group);
+  std::vector<InvertedCount> counts(limits.size());
+  parallel_for(limits.size(), 0,
+               [&](std::size_t i) { counts[i] = count_inverted(hand, limits[i].angles()); });
   Worst all, open;
-  for (const Limit& limit : limits_of(group)) {
-    const InvertedCount count = count_inverted(hand, limit.angles());
-    all.take(percent(hand, count.all), [&] { return limit.text(); });
-    open.take(static_cast<double>(count.open), [&] { return limit.text(); });
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    all.take(percent(hand, counts[i].all), [&] { return limits[i].text(); });
+    open.take(static_cast<double>(counts[i].open), [&] { return limits[i].text(); });
   }
   Missing missing;
   if (group.first == kWristFlexion) missing.lacks_skin(hand, kForearm);
