@@ -145,7 +145,7 @@ std::optional<int> seen_bone(const Hand& hand, int angle) {
 }
 
 Vector3d expected_direction(int angle) {
-  const Vector3d ulnar(1, 0, 0), dorsal(0, 0, 1);
+  Vector3d ulnar(1, 0, 0), dorsal(0, 0, 1);
   if (angle == kThumbCmcAxial) return dorsal;
   if (angle == kThumbCmcAbduction || angle == kThumbMcpAbduction) return -dorsal;
   if (angle >= kThumbCmcFlexion && angle < kFirstFingerAngle) return ulnar;

@@ -116,7 +116,7 @@ bool Missing::lacks_skin(const Hand& hand, int bone) {
 
 HandCheckLine judged_unless(const Missing& missing, const std::string& name, const Worst& worst,
                             const std::string& unit, const Gate& gate) {
-  const HandCheckLine line = judged(name, worst.value, unit, gate, worst.where);
+  HandCheckLine line = judged(name, worst.value, unit, gate, worst.where);
   if (missing.what().empty() || line.status == Status::kFail) return line;
   return not_applicable(name, unit, gate, missing.what());
 }

@@ -19,6 +19,13 @@ using testing::TemporaryDirectory;
 
 const std::string kMale = GRASPDB_SOURCE_DIR "/assets/hands/male.glb";
 
+// The same hand under another name, whose makers are unknown: the arguments that name it.
+std::string as_other_hand(const TemporaryDirectory& directory) {
+  std::filesystem::copy_file(kMale, directory / "other.glb");
+  return (directory / "other.glb").string() + " --rig " GRASPDB_SOURCE_DIR
+                                              "/assets/hands/male.rig.toml";
+}
+
 json line_of(const json& check, const std::string& name) {
   for (const json& line : check.at("lines")) {
     if (line.at("name") == name) return line;
@@ -56,10 +63,7 @@ TEST(HandCheckVerb, JsonHoldsEveryLineAndAgreesWithTheExitCode) {
 
 TEST(HandCheckVerb, AnotherNameIsNobodysHand) {
   const TemporaryDirectory directory;
-  std::filesystem::copy_file(kMale, directory / "other.glb");
-  const std::string rig = GRASPDB_SOURCE_DIR "/assets/hands/male.rig.toml";
-  const Outcome outcome =
-      run_program("hand check --json --rig " + rig + " " + (directory / "other.glb").string());
+  const Outcome outcome = run_program("hand check --json " + as_other_hand(directory));
   const json check = json::parse(outcome.out);
   EXPECT_EQ(line_of(check, "made again").at("status"), "not applicable");
   EXPECT_TRUE(line_of(check, "made again").at("value").is_null());
@@ -68,7 +72,9 @@ TEST(HandCheckVerb, AnotherNameIsNobodysHand) {
 }
 
 TEST(HandCheckVerb, AFailingLineIsPrintedAndExitsWithOne) {
-  const Outcome outcome = run_program("hand check " + kMale + " --length-mm 180 --breadth-mm 88");
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      run_program("hand check " + as_other_hand(directory) + " --length-mm 180 --breadth-mm 88");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out, HasSubstr("FAIL hand length"));
   EXPECT_THAT(outcome.out, HasSubstr("178.2..181.8"));
