@@ -54,7 +54,7 @@ class Weigher {
   // The palm is divided softly, by the distance to the metacarpals; fingers sharply, so that a
   // finger never moves its neighbour. Most softly of all the first web between thumb and palm: when
   // the thumb is flexed into the palm by 50 degrees, 130 of 10,000 triangles there turn over with a
-  // softness of 8 mm, 40 with this one.
+  // softness of 8 mm, 30 to 40 with this one.
   Shares shares(const Eigen::Vector3d& point) const {
     Shares share;
     double thumb_end = 1e9, finger = 1e9, palm = 1e9;

@@ -10,6 +10,7 @@
 #include "graspdb/random.h"
 #include "graspdb/rig.h"
 #include "support/compare_hands.h"
+#include "support/made_hands.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -50,8 +51,7 @@ TEST_P(CommittedHand, IsTheOneThatIsMade) {
   EXPECT_EQ(committed.name, made.name);
 }
 
-INSTANTIATE_TEST_SUITE_P(Hands, CommittedHand,
-                         ::testing::Values("male", "female", "slender", "child"),
+INSTANTIATE_TEST_SUITE_P(Hands, CommittedHand, ::testing::ValuesIn(testing::made_hands()),
                          [](const auto& test) { return test.param; });
 
 TEST(HandMaker, WrittenHandIsLoadedAsItWas) {
