@@ -72,7 +72,9 @@ std::filesystem::path closed_poses_file(const Grasp& grasp, const Hand& hand) {
 }
 
 std::string grasp_hash(const Grasp& grasp) {
-  return hash_hex(read_text(grasp.file));
+  std::string bytes = read_text(grasp.file);
+  if (!grasp.object_file.empty()) bytes += read_text(grasp.object_file);
+  return hash_hex(bytes);
 }
 
 GraspPose closed_pose(const Grasp& grasp, const Hand& hand) {

@@ -69,6 +69,8 @@ GraspPose close_grasp(const Grasp& grasp, const Hand& hand) {
   for (const GraspPose& thumb : with_other_thumbs(coarse.start())) {
     const GraspPose start = grasp.opposition == Opposition::kPalm ? opened(coarse, thumb) : thumb;
     try_from(start);
+    // Such flesh would pass the walls of a hollow object.
+    if (!grasp.object_file.empty()) continue;
     try_from(yielding.unpack(close_from(yielding, start, kYieldingIterations).x));
   }
   const ClosingProblem fine(grasp, hand, 1);

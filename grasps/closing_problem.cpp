@@ -94,11 +94,34 @@ ClosingProblem::Posed ClosingProblem::pose(const GraspPose& at) const {
   posed.object_from_hand = at.hand_from_object.inverse();
   posed.in_object = skin_.pose(posed.bones);
   posed.distance.reserve(posed.in_object.size());
+  const bool may_be_hollow = !grasp_.object_file.empty();
   for (std::size_t i = 0; i < posed.in_object.size(); ++i) {
+    const SkinSamples::Sample& sample = skin_.samples()[i];
     posed.in_object[i] = posed.object_from_hand * posed.in_object[i];
-    posed.distance.push_back(distance(skin_.samples()[i].digit, posed.in_object[i]));
+    double gap = distance(sample.digit, posed.in_object[i]);
+    if (may_be_hollow) {
+      const auto& bone = posed.bones[static_cast<std::size_t>(sample.bone)].rotation;
+      const Eigen::Vector3d inwards = posed.object_from_hand.rotation * (bone * -sample.normal);
+      gap = std::min(gap, beyond_wall(posed.in_object[i], inwards, gap));
+    }
+    posed.distance.push_back(gap);
   }
   return posed;
+}
+
+// Skin that has passed the wall of a cup is outside the cup again. But then the wall is in the
+// flesh under that skin.
+double ClosingProblem::beyond_wall(const Eigen::Vector3d& skin, const Eigen::Vector3d& inwards,
+                                   double gap) const {
+  constexpr double kLayer = 2e-3, kDeepest = 8.5e-3;  // metres: about the radius of a finger
+  constexpr double kSure = 1e-3;  // metres in the wall, for a cost without jumps
+  double beyond = gap;
+  for (double depth = kLayer; depth < kDeepest; depth += kLayer) {
+    if (depth <= gap) continue;  // no surface is so near
+    const double in_wall = -grasp_.object->distance(skin + depth * inwards);
+    if (in_wall > 0) beyond = std::min(beyond, -in_wall - depth * std::min(1.0, in_wall / kSure));
+  }
+  return beyond;
 }
 
 ClosingProblem::Opposed ClosingProblem::opposed_contacts(const Posed& posed) const {

@@ -55,6 +55,8 @@ class ClosingProblem {
   Posed pose(const GraspPose& at) const;
   Opposed opposed_contacts(const Posed& posed) const;
   double distance(int digit, const Eigen::Vector3d& point_in_object) const;
+  double beyond_wall(const Eigen::Vector3d& skin_in_object, const Eigen::Vector3d& inwards,
+                     double gap) const;
   Eigen::Vector3d away_from_object(int digit, const Eigen::Vector3d& point_in_object) const;
 
   using Costs = std::vector<double>;

@@ -6,8 +6,10 @@
 #include "angle_tables.h"
 #include "contact_areas.h"
 #include "graspdb/error.h"
+#include "graspdb/file.h"
 #include "graspdb/grasp.h"
 #include "graspdb/text.h"
+#include "mesh_solid.h"
 
 namespace graspdb {
 namespace {
@@ -103,11 +105,23 @@ void require_virtual_fingers_touch(const TomlTable& file, const Grasp& grasp) {
   }
 }
 
-std::shared_ptr<const Solid> read_solid(const TomlTable& table) {
-  const std::string shape = one_of(table, "shape", {"sphere", "cylinder", "box"});
+// A path in a grasp file is seen from that file.
+std::shared_ptr<const Solid> read_mesh(const TomlTable& table, Grasp& grasp) {
+  const std::string unit = one_of(table, "unit", {"mm", "cm", "m"});
+  grasp.object_file = grasp.file.parent_path() / table.string("mesh");
+  if (!fs::is_regular_file(grasp.object_file)) {
+    table.fail("mesh", "a mesh file", "none at " + grasp.object_file.lexically_normal().string());
+  }
+  return load_mesh_solid(grasp.object_file, unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1);
+}
+
+std::shared_ptr<const Solid> read_solid(const TomlTable& table, Grasp& grasp) {
+  const std::string shape = one_of(table, "shape", {"sphere", "cylinder", "box", "ring", "mesh"});
   const auto metres = [&](std::string_view key) {
     return table.number(key, kSmallestMm, kLargestMm) / 1000;
   };
+  if (shape == "mesh") return read_mesh(table, grasp);
+  if (shape == "ring") return make_ring(metres("inner_diameter_mm"), metres("thickness_mm"));
   if (shape == "sphere") return make_sphere(metres("diameter_mm"));
   if (shape == "cylinder") return make_cylinder(metres("diameter_mm"), metres("length_mm"));
   const std::vector<double> size = table.numbers("size_mm", 3, kSmallestMm, kLargestMm);
@@ -129,7 +143,7 @@ Eigen::Matrix3d rotation_from_axes(const TomlTable& table, const Eigen::Vector3d
 
 void read_object(const TomlTable& table, Grasp& grasp) {
   grasp.object_name = table.string("name");
-  grasp.object = read_solid(table);
+  grasp.object = read_solid(table, grasp);
   const Eigen::Vector3d z = vector_or(table, "z_axis", Eigen::Vector3d::UnitZ(), kLargestMm);
   const Eigen::Vector3d any =
       std::abs(z.normalized().x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
@@ -205,7 +219,9 @@ std::vector<Grasp> load_grasps(const fs::path& directory) {
 }
 
 JointAngles load_rest_pose(const fs::path& directory) {
-  const TomlTable file = TomlTable::load(directory / "rest.toml");
+  const fs::path own = directory / "rest.toml";
+  const TomlTable file =
+      TomlTable::load(fs::exists(own) ? own : data_directory() / "grasps" / "rest.toml");
   JointAngles angles = read_checked_angles(file);
   file.finish();
   return angles;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kSegments = 64;  // round a circle: at 100 mm across the facets are 0.06 mm deep
 constexpr int kRings = kSegments / 2;
+constexpr int kRingSides = 24;  // round the wire of a ring
 
 std::uint32_t add_vertex(Mesh& mesh, const Eigen::Vector3d& position,
                          const Eigen::Vector3d& normal) {
@@ -103,6 +104,29 @@ Mesh box_mesh(const Eigen::Vector3d& half) {
   return mesh;
 }
 
+// Round the z axis; `radius` is that of the middle of the wire.
+Mesh ring_mesh(double radius, double wire_radius) {
+  Mesh mesh;
+  for (int i = 0; i < kSegments; ++i) {
+    const Eigen::Vector3d out = around_z(i);
+    for (int j = 0; j < kRingSides; ++j) {
+      const double angle = 2 * kPi * j / kRingSides;
+      const Eigen::Vector3d normal =
+          std::cos(angle) * out + std::sin(angle) * Eigen::Vector3d::UnitZ();
+      add_vertex(mesh, radius * out + wire_radius * normal, normal);
+    }
+  }
+  for (std::uint32_t i = 0; i < kSegments; ++i) {
+    const std::uint32_t here = i * kRingSides, next = (i + 1) % kSegments * kRingSides;
+    for (std::uint32_t j = 0; j < kRingSides; ++j) {
+      const std::uint32_t above = (j + 1) % kRingSides;
+      mesh.triangles.push_back({here + j, next + j, next + above});
+      mesh.triangles.push_back({here + j, next + above, here + above});
+    }
+  }
+  return mesh;
+}
+
 // The distance to a shape whose signed distances along independent directions are `d`.
 template <typename Vector>
 double combine(const Vector& d) {
@@ -152,6 +176,24 @@ class BoxSolid final : public Solid {
   Mesh mesh_;
 };
 
+class Ring final : public Solid {
+ public:
+  Ring(double radius, double wire_radius)
+      : radius_(radius), wire_radius_(wire_radius), mesh_(ring_mesh(radius, wire_radius)) {}
+  double distance(const Eigen::Vector3d& point) const override {
+    return std::hypot(std::hypot(point.x(), point.y()) - radius_, point.z()) - wire_radius_;
+  }
+  Eigen::Vector3d half_extents() const override {
+    return {radius_ + wire_radius_, radius_ + wire_radius_, wire_radius_};
+  }
+  const Mesh& mesh() const override { return mesh_; }
+
+ private:
+  double radius_;
+  double wire_radius_;
+  Mesh mesh_;
+};
+
 }  // namespace
 
 std::shared_ptr<const Solid> make_sphere(double diameter) {
@@ -167,6 +209,11 @@ std::shared_ptr<const Solid> make_cylinder(double diameter, double length) {
 std::shared_ptr<const Solid> make_box(const Eigen::Vector3d& size) {
   GRASPDB_CHECK(size.minCoeff() > 0);
   return std::make_shared<BoxSolid>(size / 2);
+}
+
+std::shared_ptr<const Solid> make_ring(double inner_diameter, double thickness) {
+  GRASPDB_CHECK(inner_diameter > 0 && thickness > 0);
+  return std::make_shared<Ring>((inner_diameter + thickness) / 2, thickness / 2);
 }
 
 }  // namespace graspdb

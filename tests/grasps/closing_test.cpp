@@ -51,6 +51,14 @@ TEST(Closing, AgreesWithTheCommittedPoseToATenthOfAMillimetre) {
   }
 }
 
+TEST(Closing, HoldsTheMeshOfAMugWithoutPassingItsWalls) {
+  const Hand hand = load_hand(GRASPDB_SOURCE_DIR "/assets/hands/male.glb");
+  const Grasp grasp = load_grasp(kGrasps / "examples/100_mug.toml");
+  const GraspCheck check =
+      check_grasp(grasp, hand, load_rest_pose(kGrasps / "examples"), close_grasp(grasp, hand));
+  EXPECT_TRUE(check.pass) << check.failures.front();
+}
+
 // The committed pose holds for this hand and this file only.
 TEST(ClosedPose, IsClosedAnewForAnotherHandOfTheSameNameAndForAnEditedFile) {
   const testing::TemporaryDirectory folder;
@@ -73,6 +81,18 @@ TEST(ClosedPose, IsClosedAnewForAnotherHandOfTheSameNameAndForAnEditedFile) {
 
   write_text(grasp.file, read_text(grasp.file) + "\n# edited\n");
   EXPECT_NE(closed_pose(grasp, hand).angles[kWristFlexion], 0.5);
+}
+
+TEST(GraspHash, ChangesWithTheMeshOfTheObject) {
+  const testing::TemporaryDirectory folder;
+  Grasp grasp = load_grasp(kGrasps / "09_palmar_pinch.toml");
+  const std::string alone = grasp_hash(grasp);
+  grasp.object_file = folder / "some.obj";
+  write_text(grasp.object_file, "v 0 0 0");
+  const std::string with_mesh = grasp_hash(grasp);
+  EXPECT_NE(with_mesh, alone);
+  write_text(grasp.object_file, "v 0 0 1");
+  EXPECT_NE(grasp_hash(grasp), with_mesh);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 namespace graspdb {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -110,6 +111,50 @@ TEST_F(GraspFile, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(refusal("\"middle_radial\"", "\"knuckle\""), HasSubstr("knuckle"));
   EXPECT_THAT(refusal("\"index+middle\"", "\"index+toe\""), HasSubstr("toe"));
   EXPECT_THAT(refusal("\"power\"", "\"strong\""), HasSubstr("strong"));
+}
+
+const std::string kCylinder = "shape = \"cylinder\"\ndiameter_mm = 60\nlength_mm = 90";
+const std::string kMug = GRASPDB_SOURCE_DIR "/assets/objects/mug.obj";
+
+std::string with_object(const std::string& object) {
+  std::string text = kGood;
+  return text.replace(text.find(kCylinder), kCylinder.size(), object);
+}
+
+TEST_F(GraspFile, ARingIsKnownByItsHoleAndItsWire) {
+  const Grasp grasp =
+      load(with_object("shape = \"ring\"\ninner_diameter_mm = 26\nthickness_mm = 6"));
+  EXPECT_TRUE(grasp.object->half_extents().isApprox(Eigen::Vector3d(0.019, 0.019, 0.003)));
+  EXPECT_TRUE(grasp.object_file.empty());
+}
+
+TEST_F(GraspFile, AMeshIsFoundFromTheFileAndScaledByItsUnit) {
+  std::filesystem::copy_file(kMug, folder_ / "mug.obj");
+  const Grasp grasp = load(with_object("shape = \"mesh\"\nmesh = \"mug.obj\"\nunit = \"mm\""));
+  EXPECT_NEAR(grasp.object->half_extents().z(), 0.0475, 1e-4);
+  EXPECT_EQ(grasp.object_file, folder_ / "mug.obj");
+}
+
+TEST_F(GraspFile, RefusesAMeshWithoutAFileOrAUnit) {
+  const std::string mug = "shape = \"mesh\"\nmesh = \"" + kMug + "\"";
+  EXPECT_THAT(refusal(kCylinder, mug), HasSubstr("object.unit"));
+  EXPECT_THAT(refusal(kCylinder, mug + "\nunit = \"inch\""), HasSubstr("mm, cm, m"));
+  EXPECT_THAT(refusal(kCylinder, "shape = \"mesh\"\nmesh = \"cup.obj\"\nunit = \"mm\""),
+              AllOf(HasSubstr("object.mesh"), HasSubstr("none at"), HasSubstr("cup.obj")));
+  EXPECT_THAT(refusal(kCylinder, mug + "\nunit = \"mm\"\ndiameter_mm = 80"),
+              HasSubstr("object.diameter_mm"));
+}
+
+TEST_F(GraspFile, RefusesAMeshThatIsNotWatertight) {
+  std::ofstream(folder_ / "open.obj") << "v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 0 20\n"
+                                         "f 1 3 2\nf 1 2 4\nf 1 4 3\n";
+  try {
+    load(with_object("shape = \"mesh\"\nmesh = \"open.obj\"\nunit = \"mm\""));
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("open.obj"), HasSubstr("watertight"), HasSubstr("3 open edges")));
+  }
 }
 
 TEST_F(GraspFile, RefusesASizeWithoutItsUnit) {

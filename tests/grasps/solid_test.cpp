@@ -15,8 +15,12 @@ namespace {
 using Shapes = std::vector<std::shared_ptr<const Solid>>;
 
 Shapes shapes() {
-  return {make_sphere(0.067), make_cylinder(0.04, 0.2), make_cylinder(0.12, 0.002),
-          make_box({0.23, 0.18, 0.028}), make_box({0.085, 0.054, 0.001})};
+  return {make_sphere(0.067),
+          make_cylinder(0.04, 0.2),
+          make_cylinder(0.12, 0.002),
+          make_box({0.23, 0.18, 0.028}),
+          make_box({0.085, 0.054, 0.001}),
+          make_ring(0.026, 0.007)};
 }
 
 Eigen::Vector3d corner(const Mesh& mesh, const Triangle& triangle, std::size_t i) {
@@ -54,6 +58,15 @@ TEST(Solid, BoxDistances) {
   EXPECT_NEAR(box->distance({0.103, 0.054, 0}), 0.005, 1e-15);         // off an edge
   EXPECT_NEAR(box->distance({-0.102, -0.053, -0.026}), 0.007, 1e-15);  // off a corner
   EXPECT_EQ(box->half_extents(), Eigen::Vector3d(0.1, 0.05, 0.02));
+}
+
+TEST(Solid, RingDistances) {
+  const auto ring = make_ring(0.026, 0.006);  // the middle of the wire is 16 mm from the axis
+  EXPECT_NEAR(ring->distance({0, 0, 0}), 0.013, 1e-15);
+  EXPECT_NEAR(ring->distance({0, 0.016, 0}), -0.003, 1e-15);
+  EXPECT_NEAR(ring->distance({-0.019, 0, 0.004}), 0.002, 1e-15);  // off the wire's outside
+  EXPECT_NEAR(ring->distance({0, 0, 0.012}), 0.017, 1e-15);       // on the axis
+  EXPECT_TRUE(ring->half_extents().isApprox(Eigen::Vector3d(0.019, 0.019, 0.003)));
 }
 
 TEST(Solid, MeshVerticesLieOnTheSurface) {
@@ -103,6 +116,7 @@ TEST(Solid, MeshNormalsAreUnitAndPointOut) {
 TEST(Solid, MeshHoldsTheVolume) {
   EXPECT_NEAR(volume(make_sphere(0.06)->mesh()) / (4.0 / 3 * kPi * 27e-6), 1, 0.006);
   EXPECT_NEAR(volume(make_cylinder(0.04, 0.2)->mesh()) / (kPi * 4e-4 * 0.2), 1, 0.003);
+  EXPECT_NEAR(volume(make_ring(0.026, 0.006)->mesh()) / (2 * kPi * 0.016 * kPi * 9e-6), 1, 0.02);
   EXPECT_NEAR(volume(make_box({0.2, 0.1, 0.04})->mesh()), 8e-4, 1e-9);
 }
 
@@ -110,6 +124,7 @@ TEST(Solid, ImpossibleSizeIsAFaultOfTheCaller) {
   EXPECT_THROW(make_sphere(0), std::logic_error);
   EXPECT_THROW(make_cylinder(0.1, -1), std::logic_error);
   EXPECT_THROW(make_box({1, 0, 1}), std::logic_error);
+  EXPECT_THROW(make_ring(0.02, 0), std::logic_error);
 }
 
 }  // namespace

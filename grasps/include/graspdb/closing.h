@@ -48,7 +48,7 @@ ClosedPoses load_closed_poses(const std::filesystem::path& file);
 void save_closed_poses(const std::filesystem::path& file, const ClosedPoses& closed);
 std::filesystem::path closed_poses_file(const Grasp& grasp, const Hand& hand);
 
-// Of the grasp file as it is now.
+// Of the grasp file, and of its object's mesh file, as they are now.
 std::string grasp_hash(const Grasp& grasp);
 
 // The committed pose when it was closed on this hand from this very grasp file, else the hand is

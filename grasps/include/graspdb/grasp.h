@@ -53,6 +53,7 @@ struct Grasp {
   std::vector<int> free_digits;       // that must not touch
   std::shared_ptr<const Solid> object;
   std::string object_name;
+  std::filesystem::path object_file;  // of a mesh; empty for a primitive
   // Where the closing begins, on a hand of kReferenceHandLength. The object's place is seen from
   // the hand frame or, with `from_contacts`, from the middle between the thumb's contact areas and
   // those of all others, as they are in `start.angles`.
@@ -73,7 +74,8 @@ constexpr int kStepCount = 5;
 // for two with one id.
 std::vector<Grasp> load_grasps(const std::filesystem::path& directory);
 Grasp load_grasp(const std::filesystem::path& file);
-JointAngles load_rest_pose(const std::filesystem::path& directory);  // its rest.toml
+// A folder's rest.toml or, where it has none, the project's.
+JointAngles load_rest_pose(const std::filesystem::path& directory);
 
 // Step 1..steps: step / steps of the way from rest to closed. The object keeps its place in the
 // world while the hand closes and translates, so that `hand_from_object` differs from step to step.

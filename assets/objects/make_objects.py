@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Makes mug.obj beside this file: a closed surface, in millimetres."""
+import math
+import pathlib
+
+HOLE = 4  # cells a side that are cut out of a surface where another part joins it
+
+
+class Surface:
+    """Loops of vertices joined by quads; every face is counter-clockwise from outside."""
+
+    def __init__(self):
+        self.vertices, self.faces = [], []
+
+    def loop(self, points):
+        self.vertices += points
+        return list(range(len(self.vertices) - len(points), len(self.vertices)))
+
+    def band(self, below, above, skipped=()):
+        """Quads between two loops, but for the columns `skipped`."""
+        for i in set(range(len(below))) - {c % len(below) for c in skipped}:
+            j = (i + 1) % len(below)
+            self.faces += [(below[i], below[j], above[j]), (below[i], above[j], above[i])]
+
+    def cap(self, loop, point):
+        (middle,) = self.loop([point])
+        self.faces += [(loop[i - 1], loop[i], middle) for i in range(len(loop))]
+
+    def write(self, name, what):
+        lines = [f"# {what} Millimetres. Made by make_objects.py, MIT."]
+        lines += ["v %.4f %.4f %.4f" % v for v in self.vertices]
+        lines += ["f %d %d %d" % tuple(i + 1 for i in face) for face in self.faces]
+        (pathlib.Path(__file__).parent / name).write_text("\n".join(lines) + "\n")
+
+
+def circle(radius, z, count=64):
+    turn = 2 * math.pi / count
+    return [(radius * math.cos(i * turn), radius * math.sin(i * turn), z) for i in range(count)]
+
+
+def border(loops, row, column):
+    """The vertices round a hole whose lowest cell is (row, column), by their place round its middle."""
+    half, found = HOLE // 2, {}
+    for r in range(-half, half + 1):
+        for c in range(-half, half + 1):
+            if max(abs(r), abs(c)) == half:
+                loop = loops[(row + half + r) % len(loops)]
+                found[c, r] = loop[(column + half + c) % len(loop)]
+    return found
+
+
+def turn_order(places):
+    """Counter-clockwise, as seen from where the surface faces."""
+    return sorted(places, key=lambda place: math.atan2(place[1], place[0]))
+
+
+def handle_path(radius, reach, middle, half, steps=24):
+    """Points and directions in the xz plane, from the top end to the lower one."""
+    def point(angle):
+        c, s = math.cos(angle), math.sin(angle)
+        return radius + reach * max(c, 0) ** 0.6, middle + half * math.copysign(abs(s) ** 0.6, s)
+
+    for k in range(1, steps):
+        angle = math.pi * (0.5 - k / steps)
+        (x0, z0), (x1, z1) = point(angle + 1e-4), point(angle - 1e-4)
+        length = math.hypot(x1 - x0, z1 - z0)
+        yield point(angle), ((x1 - x0) / length, (z1 - z0) / length)
+
+
+def make_mug(radius=40.0, height=95.0, wall=4.0):
+    mug = Surface()
+    profile = [(radius - 3, 0), (radius - 0.9, 0.9), (radius, 3)]
+    profile += [(radius, 3 + 90 * i / 22) for i in range(1, 23)]
+    outside = [mug.loop(circle(r, z)) for r, z in profile]
+    holes = {row: border(outside, row, -HOLE // 2) for row in (4, 17)}
+    for row in range(len(outside) - 1):
+        cut = any(hole <= row < hole + HOLE for hole in holes)
+        mug.band(outside[row], outside[row + 1], range(-HOLE // 2, HOLE // 2) if cut else ())
+
+    edge = wall / 2
+    rim = [math.pi * i / 6 for i in range(1, 7)]
+    profile = [(radius - edge + edge * math.cos(a), height - edge + edge * math.sin(a)) for a in rim]
+    profile += [(radius - wall, z) for z in (70, 50, 30, 10)]
+    profile += [(30 + 6 * math.cos(a), 10 - 6 * math.sin(a)) for a in (0.5, 1.0, math.pi / 2)]
+    profile += [(15, 4)]
+    last = outside[-1]
+    for r, z in profile:
+        following = mug.loop(circle(r, z))
+        mug.band(last, following)
+        last = following
+    mug.cap(last, (0, 0, 4))
+    inner = mug.loop(circle(18, 0))
+    mug.band(inner, outside[0])
+    mug.cap(inner[::-1], (0, 0, 0))
+
+    top, bottom = holes[17], holes[4]
+    order = turn_order(top)
+    z = [sum(mug.vertices[v][2] for v in hole.values()) / len(hole) for hole in (bottom, top)]
+    last = [top[place] for place in order]
+    for (x, at), (dx, dz) in handle_path(radius, 32, sum(z) / 2, (z[1] - z[0]) / 2):
+        section = []
+        for c, r in order:
+            u, v = 6 * c / math.hypot(c, r), 4 * r / math.hypot(c, r)
+            section.append((x - v * dz, u, at + v * dx))
+        following = mug.loop(section)
+        mug.band(last, following)
+        last = following
+    mug.band(last, [bottom[c, -r] for c, r in order])
+    mug.write("mug.obj", "A mug, 80 mm across, 95 mm high, with a handle along x.")
+
+
+if __name__ == "__main__":
+    make_mug()
