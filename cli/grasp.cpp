@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 #include "console.h"
+#include "grasp_report.h"
 #include "grasp_sheet.h"
 #include "graspdb/closing.h"
 #include "graspdb/error.h"
@@ -47,32 +46,6 @@ void run_list() {
   }
 }
 
-nlohmann::json to_json(const Grasp& grasp, const Hand& hand, const GraspCheck& check) {
-  nlohmann::json steps = nlohmann::json::array();
-  for (const StepCheck& step : check.steps) {
-    steps.push_back({{"step", step.step},
-                     {"penetration_mm", step.penetration_mm},
-                     {"volume_cm3", step.volume_cm3},
-                     {"self_penetration_mm", step.self_penetration_mm},
-                     {"contacts", step.contacts},
-                     {"clearance_mm", step.clearance_mm}});
-  }
-  return {{"id", grasp.id},     {"name", grasp.name},         {"hand", hand.name},
-          {"pass", check.pass}, {"failures", check.failures}, {"steps", steps}};
-}
-
-void print(const Grasp& grasp, const GraspCheck& check) {
-  double deepest = 0, overlap = 0;
-  for (const StepCheck& step : check.steps) {
-    deepest = std::max(deepest, step.penetration_mm);
-    overlap = std::max(overlap, step.self_penetration_mm);
-  }
-  fmt::print("{} {:3} {:26} penetration {:.1f} mm, overlap {:.1f} mm, contacts {}\n",
-             check.pass ? "ok  " : "FAIL", grasp.id, grasp.name, deepest, overlap,
-             fmt::join(check.steps.back().contacts, " "));
-  for (const std::string& failure : check.failures) fmt::print("         {}\n", failure);
-}
-
 void run_check(const Options& options) {
   const std::vector<Grasp> grasps = chosen(options);
   const Hand hand = chosen_hand(options);
@@ -83,12 +56,15 @@ void run_check(const Options& options) {
   });
   nlohmann::json list = nlohmann::json::array();
   for (std::size_t i = 0; i < grasps.size(); ++i) {
-    if (options.json)
-      list.push_back(to_json(grasps[i], hand, checks[i]));
-    else
-      print(grasps[i], checks[i]);
+    list.push_back(to_json(grasps[i], hand, checks[i]));
   }
-  if (options.json) fmt::print("{}\n", nlohmann::json{{"grasps", list}}.dump(1));
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::json{{"grasps", list}}.dump(1));
+  } else if (options.file.empty()) {
+    print_summary(grasps, checks);
+  } else {
+    print_steps(grasps.front(), checks.front());
+  }
   const auto failed =
       std::count_if(checks.begin(), checks.end(), [](const GraspCheck& c) { return !c.pass; });
   if (failed > 0) throw Error(fmt::format("{} of {} grasps fail", failed, grasps.size()));

@@ -1,204 +1,96 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
-#include <set>
 
+#include "crossing.h"
 #include "graspdb/closing.h"
 #include "graspdb/error.h"
-#include "overlap.h"
+#include "pose_measures.h"
 #include "skin_samples.h"
 
 namespace graspdb {
 namespace {
 
 constexpr double kGateMm = 2;
+constexpr double kCrossingMm = 0.2;
 constexpr double kMillimetre = 1000;
-constexpr double kSampleSpacing = 0.002;  // metres, on the object
-constexpr double kRangeSlack = 1e-6;      // radians: closed poses are written to 1e-6 degrees
-constexpr double kReach = 0.05;           // metres: nothing of a hand is thicker than twice this
+constexpr double kRangeSlack = 1e-6;  // radians: closed poses are written to 1e-6 degrees
 
-// A posed hand beside the object, in the hand frame.
-struct Scenery {
-  Mesh skin;
-  std::vector<int> digit;         // of each vertex; -1 forearm
-  std::vector<double> to_object;  // from each vertex, metres
-};
+using Gaps = std::array<double, kDigitCount>;
 
-Scenery pose_scenery(const Grasp& grasp, const Hand& hand, const GraspPose& pose) {
-  Scenery scenery{pose_skin(hand, pose.angles), {}, {}};
-  const RigidTransform object_from_hand = pose.hand_from_object.inverse();
-  for (const std::uint8_t bone : strongest_bones(hand)) {
-    scenery.digit.push_back(digit_of_bone(bone));
-  }
-  for (const Eigen::Vector3f& v : scenery.skin.vertices) {
-    scenery.to_object.push_back(grasp.object->distance(object_from_hand * v.cast<double>()));
-  }
-  return scenery;
+std::string_view name_of(int digit) {
+  return kDigitNames[static_cast<std::size_t>(digit)];
 }
 
-struct Bounds {
-  Eigen::Vector3f low, high;
-  bool contain(const Eigen::Vector3f& p) const {
-    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
-  }
-};
-
-Bounds bounds(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
-  const float infinity = std::numeric_limits<float>::infinity();
-  Bounds box{Eigen::Vector3f::Constant(infinity), Eigen::Vector3f::Constant(-infinity)};
-  for (const std::uint32_t v : vertices) {
-    box.low = box.low.cwiseMin(mesh.vertices[v]);
-    box.high = box.high.cwiseMax(mesh.vertices[v]);
-  }
-  return box;
+bool is_in(int digit, const std::vector<int>& digits) {
+  return std::find(digits.begin(), digits.end(), digit) != digits.end();
 }
 
-double object_in_hand(const Grasp& grasp, const Scenery& scenery, const InsideTest& in_hand,
-                      const GraspPose& pose) {
-  double deepest = 0;
-  for (const Eigen::Vector3d& on_object : surface_points(grasp.object->mesh(), kSampleSpacing)) {
-    const Eigen::Vector3d p = pose.hand_from_object * on_object;
-    if (in_hand.depth_along_z(p) <= deepest) continue;
-    deepest = std::max(
-        deepest, distance_to_triangles(scenery.skin, scenery.skin.triangles, p, kReach, deepest));
-  }
-  return deepest;
+template <typename... Args>
+void fail(GraspCheck& check, fmt::format_string<Args...> format, Args&&... args) {
+  check.failures.push_back(fmt::format(format, std::forward<Args>(args)...));
 }
 
-double hand_in_object(const Scenery& scenery) {
-  return -*std::min_element(scenery.to_object.begin(), scenery.to_object.end());
-}
-
-// What hand and object have in common, cubic metres, by a grid over the skin's box. Skin is nowhere
-// deeper in the object than `deepest`.
-double shared_volume(const Grasp& grasp, const Scenery& scenery, const InsideTest& in_hand,
-                     const GraspPose& pose, double deepest) {
-  constexpr double kGrid = 0.00125;  // metres
-  const RigidTransform object_from_hand = pose.hand_from_object.inverse();
-  std::vector<std::uint32_t> all(scenery.skin.vertices.size());
-  std::iota(all.begin(), all.end(), 0U);
-  const Bounds box = bounds(scenery.skin, all);
-  const Eigen::Vector3d low = box.low.cast<double>();
-  const Eigen::Vector3i count = ((box.high - box.low) / kGrid).cast<int>();
-  std::size_t shared = 0;
-  for (int x = 0; x <= count.x(); ++x) {
-    for (int y = 0; y <= count.y(); ++y) {
-      for (int z = 0; z <= count.z(); ++z) {
-        const Eigen::Vector3d p = low + kGrid * Eigen::Vector3d(x, y, z);
-        const double distance = grasp.object->distance(object_from_hand * p);
-        if (distance < -deepest - kGrid) continue;
-        // Nothing is within the distance: leap.
-        if (distance > kGrid) {
-          z += static_cast<int>(distance / kGrid) - 1;
-        } else if (distance < 0 && in_hand.depth_along_z(p) > 0) {
-          ++shared;
-        }
-      }
-    }
-  }
-  return static_cast<double>(shared) * kGrid * kGrid * kGrid;
-}
-
-bool is_phalanx(int bone) {
-  return digit_of_bone(bone) > 0 && bone != kThumbMetacarpal;
-}
-
-// The skin of the phalanges of one digit: a tube that is open at the palm.
-struct Tube {
-  std::vector<std::uint32_t> vertices;
-  std::vector<Triangle> triangles;
-};
-
-Tube phalanges(const Hand& hand, int digit) {
-  Tube tube;
-  const std::vector<std::uint8_t> bones = strongest_bones(hand);
-  const auto belongs = [&](std::uint32_t v) {
-    return is_phalanx(bones[v]) && digit_of_bone(bones[v]) == digit;
-  };
-  for (std::uint32_t v = 0; v < bones.size(); ++v) {
-    if (belongs(v)) tube.vertices.push_back(v);
-  }
-  for (const Triangle& t : hand.bind_mesh.triangles) {
-    if (std::all_of(t.begin(), t.end(), belongs)) tube.triangles.push_back(t);
-  }
-  return tube;
-}
-
-// Skin is behind the tube's nearest vertex when it may be inside: a quick sieve.
-bool behind_nearest(const Mesh& skin, const Tube& tube, const Eigen::Vector3f& point) {
-  constexpr float kDoubt = 0.001F;
-  float nearest = std::numeric_limits<float>::max();
-  float height = 0;
-  for (const std::uint32_t v : tube.vertices) {
-    const Eigen::Vector3f away = point - skin.vertices[v];
-    if (away.squaredNorm() >= nearest) continue;
-    nearest = away.squaredNorm();
-    height = away.dot(skin.normals[v]);
-  }
-  return height < kDoubt;
-}
-
-double overlap(const Mesh& skin, const Tube& digit, const Tube& other) {
-  const Bounds box = bounds(skin, other.vertices);
-  double deepest = 0;
-  for (const std::uint32_t v : digit.vertices) {
-    const Eigen::Vector3f& point = skin.vertices[v];
-    if (!box.contain(point) || !behind_nearest(skin, other, point)) continue;
-    const Eigen::Vector3d p = point.cast<double>();
-    if (winding_number(skin, other.triangles, p) < 0.5) continue;
-    deepest = std::max(deepest, distance_to_triangles(skin, other.triangles, p, kReach, deepest));
-  }
-  return deepest;
-}
-
-double deepest_overlap(const Mesh& skin, const std::vector<Tube>& digits) {
-  double deepest = 0;
-  for (std::size_t a = 0; a < digits.size(); ++a) {
-    for (std::size_t b = 0; b < digits.size(); ++b) {
-      if (a != b) deepest = std::max(deepest, overlap(skin, digits[a], digits[b]));
-    }
-  }
-  return deepest;
-}
-
-std::vector<std::string> touching_bones(const Hand& hand, const Scenery& scenery) {
-  const std::vector<std::uint8_t> bones = strongest_bones(hand);
-  std::set<std::uint8_t> touching;
-  for (std::size_t v = 0; v < bones.size(); ++v) {
-    if (scenery.to_object[v] * kMillimetre <= kGateMm) touching.insert(bones[v]);
-  }
-  std::vector<std::string> names;
-  names.reserve(touching.size());
-  for (const std::uint8_t bone : touching) names.emplace_back(bone_name(bone));
-  return names;
-}
-
-double gap_mm(const Scenery& scenery, int digit) {
-  double gap = std::numeric_limits<double>::infinity();
-  for (std::size_t v = 0; v < scenery.digit.size(); ++v) {
-    if (scenery.digit[v] == digit) gap = std::min(gap, scenery.to_object[v] * kMillimetre);
-  }
-  return gap;
-}
-
-void check_contacts(const Grasp& grasp, const Scenery& closed, GraspCheck& check) {
-  const auto name = [](int digit) { return kDigitNames[static_cast<std::size_t>(digit)]; };
+void check_contacts(const Grasp& grasp, const Gaps& gap_mm, GraspCheck& check) {
   for (const int digit : grasp.required_digits) {
-    const double gap = gap_mm(closed, digit);
-    if (gap <= kGateMm) continue;
-    check.failures.push_back(fmt::format(
-        "{} must touch but is {:.1f} mm from the object (gate {} mm)", name(digit), gap, kGateMm));
+    const double gap = gap_mm[static_cast<std::size_t>(digit)];
+    if (gap <= kContactMm) continue;
+    fail(check, "{} must touch but is {:.1f} mm from the object (gate {} mm)", name_of(digit), gap,
+         kContactMm);
   }
   for (const int digit : grasp.free_digits) {
-    const double gap = gap_mm(closed, digit);
-    if (gap > kGateMm) continue;
-    check.failures.push_back(
-        fmt::format("{} must stay free but is {:.1f} mm from the object (gate {} mm)", name(digit),
-                    gap, kGateMm));
+    const double gap = gap_mm[static_cast<std::size_t>(digit)];
+    if (gap > kContactMm) continue;
+    fail(check, "{} must stay free but is {:.1f} mm from the object (gate {} mm)", name_of(digit),
+         gap, kContactMm);
+  }
+}
+
+bool is_side(const ContactArea& area) {
+  return area.side != SkinSide::kPalmar;
+}
+
+// A side grasp is one by the side of the digit that touches.
+void check_sides(const Grasp& grasp, const Hand& hand, const GraspPose& closed, GraspCheck& check) {
+  if (grasp.opposition != Opposition::kSide) return;
+  const SkinSamples skin(hand, 1);
+  const auto positions = skin.pose(palm_from_bones(hand.skeleton, closed.angles));
+  const RigidTransform object_from_hand = closed.hand_from_object.inverse();
+  for (const int digit : grasp.required_digits) {
+    double gap = std::numeric_limits<double>::infinity();
+    std::string names;
+    for (const ContactArea& area : grasp.contacts) {
+      if (area.digit != digit || !is_side(area)) continue;
+      names += (names.empty() ? "" : ", ") + area.name;
+      for (const int i : skin.in_area(area)) {
+        const Eigen::Vector3d& at = positions[static_cast<std::size_t>(i)];
+        gap = std::min(gap, grasp.object->distance(object_from_hand * at) * kMillimetre);
+      }
+    }
+    if (names.empty() || gap <= kContactMm) continue;
+    fail(check, "{} must touch with its side ({}), which is {:.1f} mm from the object (gate {} mm)",
+         name_of(digit), names, gap, kContactMm);
+  }
+}
+
+// The digits that hold the object, beside those that the taxonomy lets hold it. With the palm as
+// one side of the grasp, palm and thumb may help.
+void compare_virtual_fingers(const Grasp& grasp, const Gaps& gap_mm, GraspCheck& check) {
+  std::vector<int> named;
+  for (const std::vector<int>& finger : grasp.virtual_fingers) {
+    named.insert(named.end(), finger.begin(), finger.end());
+  }
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    const bool touches = gap_mm[static_cast<std::size_t>(digit)] <= kContactMm;
+    const bool may_help = grasp.opposition == Opposition::kPalm && digit <= 1;
+    if (is_in(digit, named) && !touches) check.missing_digits.emplace_back(name_of(digit));
+    if (!is_in(digit, named) && touches && !may_help) {
+      check.extra_digits.emplace_back(name_of(digit));
+    }
   }
 }
 
@@ -206,38 +98,35 @@ void check_ranges(const JointAngles& angles, GraspCheck& check) {
   const JointAngles clamped = clamp_to_range(angles);
   for (int i = 0; i < kAngleCount; ++i) {
     if (std::abs(angles[i] - clamped[i]) <= kRangeSlack) continue;
-    check.failures.push_back(fmt::format("{} is {:.1f} degrees, beyond its limit of {:.1f}",
-                                         angle_info(i).name, degrees(angles[i]),
-                                         degrees(clamped[i])));
+    fail(check, "{} is {:.1f} degrees, beyond its limit of {:.1f}", angle_info(i).name,
+         degrees(angles[i]), degrees(clamped[i]));
   }
-}
-
-StepCheck measure(const Grasp& grasp, const Hand& hand, const std::vector<Tube>& digits,
-                  const Scenery& scenery, const GraspPose& pose) {
-  const InsideTest in_hand(scenery.skin);
-  const double skin_depth = hand_in_object(scenery);
-  const double object_depth = object_in_hand(grasp, scenery, in_hand, pose);
-  const double penetration = std::max({0.0, skin_depth, object_depth});
-  StepCheck step;
-  step.penetration_mm = penetration * kMillimetre;
-  if (penetration > 0) {
-    step.volume_cm3 = shared_volume(grasp, scenery, in_hand, pose, penetration) * 1e6;
-  }
-  step.self_penetration_mm = deepest_overlap(scenery.skin, digits) * kMillimetre;
-  step.clearance_mm = std::max(0.0, -skin_depth) * kMillimetre;
-  step.contacts = touching_bones(hand, scenery);
-  return step;
 }
 
 void check_step(const StepCheck& step, GraspCheck& check) {
   if (step.penetration_mm > kGateMm) {
-    check.failures.push_back(
-        fmt::format("step {}: hand and object overlap by {:.1f} mm (gate {} mm)", step.step,
-                    step.penetration_mm, kGateMm));
+    fail(check, "step {}: hand and object overlap by {:.1f} mm (gate {} mm)", step.step,
+         step.penetration_mm, kGateMm);
+  }
+  if (step.crossing_mm > kCrossingMm) {
+    fail(check, "step {}: {:.1f} mm of {} are on the wrong side of the object (gate {} mm)",
+         step.step, step.crossing_mm, fmt::join(step.crossed, ", "), kCrossingMm);
   }
   if (step.self_penetration_mm > kGateMm) {
-    check.failures.push_back(fmt::format("step {}: digits overlap by {:.1f} mm (gate {} mm)",
-                                         step.step, step.self_penetration_mm, kGateMm));
+    fail(check, "step {}: digits overlap by {:.1f} mm (gate {} mm)", step.step,
+         step.self_penetration_mm, kGateMm);
+  }
+  if (step.step == 1 && step.clearance_mm <= 0) {
+    fail(check, "step 1: the hand must be clear of the object but touches it");
+  }
+}
+
+// What has crossed the object, here or since the step before.
+void add_crossings(const CrossingDepths& here, const CrossingDepths& on_the_way, StepCheck& step) {
+  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
+    const double depth_mm = std::max(here[digit], on_the_way[digit]) * kMillimetre;
+    if (depth_mm > kCrossingMm) step.crossed.emplace_back(kDigitNames[digit]);
+    step.crossing_mm = std::max(step.crossing_mm, depth_mm);
   }
 }
 
@@ -245,17 +134,24 @@ void check_step(const StepCheck& step, GraspCheck& check) {
 
 GraspCheck check_grasp(const Grasp& grasp, const Hand& hand, const JointAngles& rest,
                        const GraspPose& closed) {
-  std::vector<Tube> digits;
-  for (int digit = 1; digit < kDigitCount; ++digit) digits.push_back(phalanges(hand, digit));
+  const PoseMeasures measures(hand);
   GraspCheck check;
   for (int number = 1; number <= kStepCount; ++number) {
-    const GraspPose pose = pose_at_step(grasp, rest, closed, number);
-    const Scenery scenery = pose_scenery(grasp, hand, pose);
-    check.steps.push_back(measure(grasp, hand, digits, scenery, pose));
-    check.steps.back().step = number;
-    check_step(check.steps.back(), check);
-    if (number == kStepCount) check_contacts(grasp, scenery, check);
+    auto [step, crossed, gap_mm] =
+        measures.measure(grasp, pose_at_step(grasp, rest, closed, number));
+    step.step = number;
+    CrossingDepths on_the_way{};
+    if (number > 1) {
+      on_the_way = crossed_on_the_way(grasp, hand, rest, closed, number, measures.digit());
+    }
+    add_crossings(crossed, on_the_way, step);
+    check_step(step, check);
+    check.steps.push_back(std::move(step));
+    if (number < kStepCount) continue;
+    check_contacts(grasp, gap_mm, check);
+    compare_virtual_fingers(grasp, gap_mm, check);
   }
+  check_sides(grasp, hand, closed, check);
   check_ranges(closed.angles, check);
   check.pass = check.failures.empty();
   return check;

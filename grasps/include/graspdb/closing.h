@@ -23,16 +23,24 @@ struct StepCheck {
   double self_penetration_mm = 0;     // deepest overlap between different digits
   double clearance_mm = 0;            // from the hand's skin to the object, 0 when they touch
   std::vector<std::string> contacts;  // bones with skin within 2 mm of the object
+  // How far skin stands out on the other side of the object, here or since the step before.
+  double crossing_mm = 0;
+  std::vector<std::string> crossed;    // the digits that do
+  std::vector<std::string> at_limits;  // angles within half a degree of an end of their range
 };
 
 struct GraspCheck {
   bool pass = false;
   std::vector<std::string> failures;  // one text a broken gate, with figures
+  // Closed: virtual fingers of the taxonomy that do not touch, and digits that touch and are none.
+  std::vector<std::string> missing_digits, extra_digits;
   std::vector<StepCheck> steps;
 };
 
-// The gates: at every step penetration and overlap of at most 2 mm; at the last step every required
-// digit within 2 mm of the object and no free one; every angle within its range. Thread-safe.
+// The gates: at every step penetration and overlap of at most 2 mm, and no skin more than 0.2 mm
+// beyond what it must not pass; clear of the object at step 1; closed, every required digit within
+// 2 mm of the object, in a side grasp with the named side, and no free one; every angle within its
+// range. Thread-safe.
 GraspCheck check_grasp(const Grasp& grasp, const Hand& hand, const JointAngles& rest,
                        const GraspPose& closed);
 
