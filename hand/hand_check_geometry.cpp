@@ -12,6 +12,10 @@ Vector3d Corners::normal() const {
   return (b - a).cross(c - a);
 }
 
+double Corners::longest_side() const {
+  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
+
 Corners corners_of(const Mesh& mesh, const Triangle& t) {
   return {mesh.vertices[t[0]].cast<double>(), mesh.vertices[t[1]].cast<double>(),
           mesh.vertices[t[2]].cast<double>()};

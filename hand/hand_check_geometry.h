@@ -14,6 +14,7 @@ struct Corners {
   Eigen::Vector3d a, b, c;
 
   Eigen::Vector3d normal() const;  // its length is twice the area
+  double longest_side() const;
 };
 
 Corners corners_of(const Mesh& mesh, const Triangle& triangle);

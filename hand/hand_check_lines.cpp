@@ -72,7 +72,7 @@ std::string_view finger_name(int finger) {
   return kNames[static_cast<std::size_t>(finger)];
 }
 
-Bone distal_bone(int digit) {
+int distal_bone(int digit) {
   return digit == 0 ? kThumbDistal : finger_bone(digit - 1, kDistal);
 }
 

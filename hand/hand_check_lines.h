@@ -30,7 +30,7 @@ HandCheckLine not_applicable(const std::string& name, const std::string& unit, c
 std::string_view finger_name(int finger);
 
 // The bone at the end of a digit, from the thumb (0) to the little finger (4).
-Bone distal_bone(int digit);
+int distal_bone(int digit);
 
 bool moves_skin(const Hand& hand, int bone);
 std::string no_skin_on(int bone);  // "index_distal moves no skin"

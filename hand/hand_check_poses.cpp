@@ -53,7 +53,7 @@ std::optional<double> pip_back(const Hand& hand, int finger, double flexion) {
   angles[finger_angle(finger, kPipFlexion)] = flexion;
   const PerBone<RigidTransform> frames = palm_from_bones(hand.skeleton, angles);
   const Mesh posed = pose_skin(hand, frames);
-  const Bone before = finger_bone(finger, kProximal), after = finger_bone(finger, kMiddle);
+  const int before = finger_bone(finger, kProximal), after = finger_bone(finger, kMiddle);
   const std::vector<std::uint8_t> bones = strongest_bones(hand);
   std::vector<Corners> skin;
   for (const Triangle& t : posed.triangles) {
@@ -67,7 +67,7 @@ std::optional<double> pip_back(const Hand& hand, int finger, double flexion) {
 HandCheckLine pip_section(const Hand& hand, int finger) {
   const std::string name = fmt::format("PIP section, {}", finger_name(finger));
   for (const FingerBone part : {kProximal, kMiddle}) {
-    const Bone bone = finger_bone(finger, part);
+    const int bone = finger_bone(finger, part);
     if (!moves_skin(hand, bone)) return not_applicable(name, "%", at_least(85), no_skin_on(bone));
   }
   const auto straight = pip_back(hand, finger, 0), bent = pip_back(hand, finger, radians(105));

@@ -91,10 +91,6 @@ double quality(const Corners& t) {
   return squares > 0 ? 2 * std::sqrt(3.0) * t.normal().norm() / squares : 0;
 }
 
-double longest_side(const Corners& t) {
-  return std::max({(t.b - t.a).norm(), (t.c - t.b).norm(), (t.a - t.c).norm()});
-}
-
 // Tells the triangles at the forearm's end from all others.
 class ForearmCap {
  public:
@@ -127,7 +123,7 @@ void add_triangle_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
       return fmt::format("triangle {} on {}", i, bone_name(bones[triangle[0]]));
     };
     flattest.take(-quality(corners), place);
-    if (!cap.contains(corners)) longest.take(longest_side(corners), place);
+    if (!cap.contains(corners)) longest.take(corners.longest_side(), place);
   }
   lines.push_back(judged("triangle quality", -flattest.value, "", at_least(.1), flattest.where));
   lines.push_back(judged("longest edge", 1000 * longest.value, "mm", at_most(12), longest.where));

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Each line on bent skin and on reach passes on the male hand and fails on one that was spoilt.
+#include <cmath>
+
 #include "hand_check_inverted.h"
+#include "hand_check_meeting.h"
 #include "hand_check_poses.h"
 #include "hand_check_reach.h"
 #include "spoilt_hands.h"
+#include "support/toy_skeleton.h"
 
 namespace graspdb::testing {
 namespace {
@@ -12,7 +16,6 @@ TEST(HandCheckPoses, TatteredSkinInvertsTrianglesInEveryPose) {
   const Lines lines = check_inverted(with_tattered_skin(finger_bone(0, kMiddle), kPalm));
   for (const char* pose : {"flat", "wrap", "pinch"}) {
     expect_fail(lines, std::string("inverted triangles, ") + pose);
-    expect_pass(check_inverted(male()), std::string("inverted triangles, ") + pose);
   }
   expect_fail(lines, "inverted triangles, fist");
   expect_fail(lines, "inverted triangles, limits of fingers", " deg");
@@ -21,7 +24,9 @@ TEST(HandCheckPoses, TatteredSkinInvertsTrianglesInEveryPose) {
 
 TEST(HandCheckPoses, GoodSkinInvertsFewTrianglesAtTheLimits) {
   const Lines lines = check_inverted(male());
-  expect_pass(lines, "inverted triangles, fist");
+  for (const char* pose : {"flat", "wrap", "pinch", "fist"}) {
+    expect_pass(lines, std::string("inverted triangles, ") + pose);
+  }
   expect_pass(lines, "inverted triangles, limits of wrist");
   expect_pass(lines, "inverted triangles, limits of fingers");
   expect_pass(lines, "inverted and seen, limits of wrist");
@@ -45,20 +50,21 @@ TEST(HandCheckPoses, StretchedSkinGainsVolume) {
       hand.skeleton.palm_from_bone_at_zero[finger_bone(f, part)].translation.y() += .06;
     }
   }
+  const Lines good = check_poses(male()), stretched = check_poses(hand);
   for (const char* pose : {"flat", "wrap", "pinch", "fist", "limits of thumb"}) {
-    expect_fail(check_poses(hand), std::string("volume change, ") + pose);
-    expect_pass(check_poses(male()), std::string("volume change, ") + pose);
+    expect_fail(stretched, std::string("volume change, ") + pose);
+    expect_pass(good, std::string("volume change, ") + pose);
   }
-  expect_fail(check_poses(hand), "volume change, limits of thumb", "thumb_");
+  expect_fail(stretched, "volume change, limits of thumb", "thumb_");
 }
 
 TEST(HandCheckPoses, SkinThatIsBoundFlatIsPinchedAtAFlexedPip) {
+  const Lines good = check_poses(male()), flat = check_poses(bound_flat());
   for (const char* finger : {"index", "middle", "ring", "little"}) {
     const std::string name = std::string("PIP section, ") + finger;
-    expect_pass(check_poses(male()), name);
-    expect_fail(check_poses(bound_flat()), name, "mm");
-    // hand.md's prototype kept 59 %.
-    EXPECT_NEAR(line_of(check_poses(bound_flat()), name).value, 60, 12);
+    expect_pass(good, name);
+    expect_fail(flat, name, "mm");
+    EXPECT_NEAR(line_of(flat, name).value, 60, 12);  // a first model of this kind kept 59 %
   }
 }
 
@@ -80,6 +86,27 @@ TEST(HandCheckReach, PassesOnAGoodHandAndTwiceTheSame) {
   }
 }
 
+TEST(HandCheckReach, BestMeetingIsBetterThanAnyOfManyPoses) {
+  const Skeleton skeleton = toy_skeleton();
+  const DigitPulp thumb{0, {0, .02, -.009}}, little{4, {0, .013, -.008}};
+  const Meeting best = best_meeting(skeleton, thumb, little);
+  RandomStream random(9);
+  double least = 1e9;
+  for (int i = 0; i < 20000; ++i) {
+    JointAngles angles;
+    for (int a = 0; a < kAngleCount; ++a) {
+      angles[a] = random.uniform(angle_info(a).lower, angle_info(a).upper);
+    }
+    const PerBone<RigidTransform> frames = palm_from_bones(skeleton, clamp_to_range(angles));
+    const RigidTransform &a = frames[kThumbDistal], &b = frames[finger_bone(3, kDistal)];
+    const double gap = (a * thumb.in_distal - b * little.in_distal).norm();
+    const double facing = std::acos(-a.rotation.col(2).dot(b.rotation.col(2)));
+    least = std::min(least, Meeting{gap, facing}.badness());
+  }
+  EXPECT_LT(best.badness(), least);
+  EXPECT_LT(best.badness(), 1);
+}
+
 TEST(HandCheckReach, AThumbOnTheElbowsSideReachesNoFinger) {
   const Lines lines =
       check_reach(with_bones_moved(kThumbMetacarpal, kThumbDistal, {-.02, -.15, 0}));
@@ -88,18 +115,12 @@ TEST(HandCheckReach, AThumbOnTheElbowsSideReachesNoFinger) {
   }
 }
 
-TEST(HandCheckReach, AThumbThatBendsToTheBackFacesNoFinger) {
-  const Lines lines = check_reach(with_bones_rolled(kThumbMetacarpal, kThumbDistal, radians(120)));
+TEST(HandCheckReach, ANailThatLooksDorsallyTurnsTheThumbFromTheFingers) {
+  const Lines lines = check_reach(with_bones_rolled(kThumbMetacarpal, kThumbDistal, radians(90)));
   for (const char* finger : {"index", "middle", "ring", "little"}) {
     expect_fail(lines, std::string("pulp facing, ") + finger);
   }
-}
-
-TEST(HandCheckReach, ANailThatLooksDorsallyKeepsTheThumbFromTheLittleFinger) {
-  // hand.md: of random poses a tenth as many meet.
-  const Lines lines = check_reach(with_bones_rolled(kThumbMetacarpal, kThumbDistal, radians(85)));
   expect_fail(lines, "pulp gap, little");
-  expect_fail(lines, "pulp facing, little");
   expect_pass(lines, "pulp gap, index");
 }
 

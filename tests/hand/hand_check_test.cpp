@@ -49,8 +49,9 @@ TEST(HandCheckAngles, SkinOnTheNeighboursBoneFollowsTheWrongFinger) {
 TEST(HandCheckAngles, OneVertexOnAWrongBoneIsFound) {
   Hand hand = male();
   const std::vector<std::uint8_t> bones = strongest_bones(hand);
+  const int little_distal = finger_bone(3, kDistal);
   const auto vertex = static_cast<std::size_t>(
-      std::find(bones.begin(), bones.end(), finger_bone(3, kDistal)) - bones.begin());
+      std::find(bones.begin(), bones.end(), little_distal) - bones.begin());
   hand.weights[vertex] = only(finger_bone(0, kDistal));
   expect_fail(check_angles(hand), "skin follows, digits", "vertex " + std::to_string(vertex));
 }
@@ -96,11 +97,12 @@ TEST(HandCheckAngles, AThumbThatTurnsItsPulpAwayIsNamed) {
 TEST(HandCheckMissing, WithoutAForearmTheWristIsNotApplicable) {
   const Hand hand = with_skin_of_given_to(kForearm, kPalm);
   const std::string why = "forearm moves no skin";
-  expect_not_applicable(check_inverted(hand), "inverted triangles, limits of wrist", why);
-  expect_not_applicable(check_inverted(hand), "inverted and seen, limits of wrist", why);
-  expect_not_applicable(check_angles(hand), "skin follows, wrist", why);
-  expect_not_applicable(check_angles(hand), "direction, wrist", why);
-  expect_pass(check_angles(hand), "direction, thumb");
+  const Lines inverted = check_inverted(hand), angles = check_angles(hand);
+  expect_not_applicable(inverted, "inverted triangles, limits of wrist", why);
+  expect_not_applicable(inverted, "inverted and seen, limits of wrist", why);
+  expect_not_applicable(angles, "skin follows, wrist", why);
+  expect_not_applicable(angles, "direction, wrist", why);
+  expect_pass(angles, "direction, thumb");
 }
 
 TEST(HandCheckMissing, WithoutSkinOnATipItsLinesAreNotApplicable) {

@@ -59,12 +59,10 @@ struct AskedSize {
 //   phalanges'
 //                          backs, to the skin: at 105 degrees of flexion, of its value when
 //                          straight
-//   pulp gap, pulp facing  a digit's pulp is where a line from 65 % of its distal bone, palmar,
-//   comes
-//                          out of the skin; it looks as that line goes. The least max(gap / 2 mm,
-//                          facing / 60 degrees) that a search of thumb and finger within their
-//                          ranges finds: the distance of the two pulps, and the angle that is
-//                          missing for them to look at each other
+//   pulp gap, pulp facing  a digit's pulp is where a line from 65 % of its distal bone, palmar, comes
+//                          out of the skin; it looks as that line goes. Where thumb and finger meet
+//                          best within their ranges, as a search finds: the distance of the two
+//                          pulps, and the angle that is missing for them to look at each other
 //   tip to palm            in the fist, least distance of the skin of the finger's distal half bone
 //                          from that of palm and metacarpals; 0 where they meet
 //   hand length            flat hand, wrist joint to the most distal skin of the middle finger
