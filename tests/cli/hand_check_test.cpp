@@ -13,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::Outcome;
 using testing::run_program;
 using testing::TemporaryDirectory;
@@ -59,6 +60,13 @@ TEST(HandCheckVerb, JsonHoldsEveryLineAndAgreesWithTheExitCode) {
   EXPECT_EQ(line_of(check, "hand breadth").at("status"), "pass");
   EXPECT_EQ(line_of(check, "made again").at("status"), "pass");
   EXPECT_EQ(line_of(check, "bind identity").at("status"), "pass");
+}
+
+TEST(HandCheckVerb, OurOwnHandPassesEveryLine) {
+  const Outcome outcome = run_program("hand check " + kMale);
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, Not(HasSubstr("FAIL")));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("n/a")));
 }
 
 TEST(HandCheckVerb, AnotherNameIsNobodysHand) {

@@ -6,6 +6,8 @@
 #include <map>
 
 #include "graspdb/hand.h"
+#include "graspdb/hand_check.h"
+#include "graspdb/hand_file_check.h"
 #include "graspdb/rig.h"
 #include "support/compare_hands.h"
 
@@ -124,6 +126,20 @@ TEST_P(DefaultHand, HasAForearm) {
   double end = 0;
   for (const Eigen::Vector3f& v : hand_.bind_mesh.vertices) end = std::min<double>(end, v.y());
   EXPECT_LT(end, -.150);
+}
+
+TEST_P(DefaultHand, PassesEveryLineOfTheCheck) {
+  std::vector<HandCheckLine> lines =
+      check_hand_file(GRASPDB_SOURCE_DIR "/assets/hands/" + GetParam().name + ".glb");
+  for (HandCheckLine& line :
+       check_hand(hand_, AskedSize{GetParam().length_mm, GetParam().breadth_mm})) {
+    lines.push_back(std::move(line));
+  }
+  for (const HandCheckLine& line : lines) {
+    EXPECT_EQ(status_name(line.status), "pass")
+        << line.name << ": " << line.value << " " << line.unit << ", gate " << line.gate << ", "
+        << line.why;
+  }
 }
 
 // What the angle should do to the part that it moves, seen from the palm.
