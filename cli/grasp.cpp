@@ -8,6 +8,7 @@
 #include "console.h"
 #include "grasp_report.h"
 #include "grasp_sheet.h"
+#include "grasp_template.h"
 #include "graspdb/closing.h"
 #include "graspdb/error.h"
 #include "graspdb/image_io.h"
@@ -24,6 +25,7 @@ struct Options {
   std::string out;
   bool json = false;
   bool plain = false;
+  bool steps = false;
 };
 
 std::vector<Grasp> chosen(const Options& options) {
@@ -102,16 +104,31 @@ void run_close(const Options& options) {
   fmt::print("{}\n", file.string());
 }
 
-void run_sheet(const Options& options) {
-  const std::vector<Grasp> grasps = chosen(options);
-  const Hand hand = chosen_hand(options);
+ColorImage draw(const Options& options, const std::vector<Grasp>& grasps, const Hand& hand) {
   const JointAngles rest = load_rest_pose(directory_of(options));
-  const bool one = !options.file.empty();
   std::map<int, GraspPose> closed;
   for (const Grasp& grasp : grasps) closed[grasp.id] = closed_pose(grasp, hand);
-  write_png(options.out, one ? draw_grasp_sheet(hand, grasps.front(), rest, closed.begin()->second)
-                             : draw_grasp_page(hand, grasps, closed, options.plain));
+  if (options.steps) return draw_step_page(hand, grasps, rest, closed, options.plain);
+  if (options.file.empty()) return draw_grasp_page(hand, grasps, closed, options.plain);
+  return draw_grasp_sheet(hand, grasps.front(), rest, closed.begin()->second);
+}
+
+void run_sheet(const Options& options) {
+  write_png(options.out, draw(options, chosen(options), chosen_hand(options)));
   fmt::print("{}\n", options.out);
+}
+
+void add_new(CLI::App& grasp) {
+  struct NewOptions {
+    std::string name, directory = ".";
+  };
+  auto options = std::make_shared<NewOptions>();
+  CLI::App* verb = grasp.add_subcommand("new", "Write a commented grasp file to start from");
+  verb->add_option("NAME", options->name, "Of the grasp, e.g. \"Jar Lid\"")->required();
+  verb->add_option("--out", options->directory, "The folder to write to")->capture_default_str();
+  verb->callback([options] {
+    fmt::print("{}\n", write_new_grasp(options->name, options->directory).string());
+  });
 }
 
 void add_common(CLI::App& verb, Options& options) {
@@ -142,7 +159,9 @@ void add_grasp(CLI::App& app) {
   add_common(*sheet, *options);
   sheet->add_option("--out", options->out, "The PNG to write")->required();
   sheet->add_flag("--plain", options->plain, "Without names and numbers");
+  sheet->add_flag("--steps", options->steps, "The five steps of each grasp");
   sheet->callback([options] { run_sheet(*options); });
+  add_new(*grasp);
 }
 
 }  // namespace graspdb::cli

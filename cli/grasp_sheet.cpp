@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "model_view.h"
 
@@ -57,6 +59,33 @@ ColorImage draw_grasp_page(const Hand& hand, const std::vector<Grasp>& grasps,
     const ModelView model(hand, closed.at(grasp.id), grasp.object.get());
     page.place(model.seen(kFromAbove, kPageTile), x, y + title);
     page.place(model.seen(kFromBelow, kPageTile), x + kPageTile, y + title);
+    if (!plain) page.write(fmt::format("{} {}", grasp.id, grasp.name), x + 8, y + 17);
+  }
+  return page.image();
+}
+
+ColorImage draw_step_page(const Hand& hand, const std::vector<Grasp>& grasps,
+                          const JointAngles& rest, const std::map<int, GraspPose>& closed,
+                          bool plain) {
+  constexpr int kColumns = 2, kRowWidth = kStepCount * kStepTile;
+  const int title = plain ? 0 : 24;
+  const int rows = (static_cast<int>(grasps.size()) + kColumns - 1) / kColumns;
+  Page page(std::min(kColumns, static_cast<int>(grasps.size())) * kRowWidth,
+            rows * (kStepTile + title));
+  for (int i = 0; i < static_cast<int>(grasps.size()); ++i) {
+    const Grasp& grasp = grasps[static_cast<std::size_t>(i)];
+    const int x = i % kColumns * kRowWidth, y = i / kColumns * (kStepTile + title);
+    std::vector<ModelView> models;
+    Framed framed;
+    for (int step = 1; step <= kStepCount; ++step) {
+      const GraspPose pose = pose_at_step(grasp, rest, closed.at(grasp.id), step);
+      const Framed& shown = models.emplace_back(hand, pose, grasp.object.get()).framed();
+      framed.insert(framed.end(), shown.begin(), shown.end());
+    }
+    for (int step = 0; step < kStepCount; ++step) {
+      const ModelView& model = models[static_cast<std::size_t>(step)];
+      page.place(model.seen(kFromAbove, kStepTile, framed), x + step * kStepTile, y + title);
+    }
     if (!plain) page.write(fmt::format("{} {}", grasp.id, grasp.name), x + 8, y + 17);
   }
   return page.image();

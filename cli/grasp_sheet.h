@@ -22,4 +22,10 @@ ColorImage draw_grasp_sheet(const Hand& hand, const Grasp& grasp, const JointAng
 ColorImage draw_grasp_page(const Hand& hand, const std::vector<Grasp>& grasps,
                            const std::map<int, GraspPose>& closed, bool plain);
 
+// One grasp a row: its steps from rest to closed, from the side that tells most. All pictures of a
+// row have one scale. With number and name unless `plain`.
+ColorImage draw_step_page(const Hand& hand, const std::vector<Grasp>& grasps,
+                          const JointAngles& rest, const std::map<int, GraspPose>& closed,
+                          bool plain);
+
 }  // namespace graspdb::cli

@@ -55,15 +55,16 @@ double rounded_degrees(double angle) {
 
 }  // namespace
 
-JointAngles read_angles(const TomlTable& table) {
-  JointAngles angles = JointAngles::Zero();
+JointAngles read_angles(const TomlTable& table, double otherwise) {
+  JointAngles angles = JointAngles::Constant(otherwise);
   for (const AngleTable& digit : angle_tables()) {
     const auto found = table.table_if_any(digit.key);
     if (!found) continue;
     for (const auto& [key, angle] : digit.angles) {
+      if (!found->has(key)) continue;
       const AngleInfo& info = angle_info(angle);
-      angles[angle] = radians(
-          found->number_or(key, 0, rounded_degrees(info.lower), rounded_degrees(info.upper)));
+      angles[angle] =
+          radians(found->number(key, rounded_degrees(info.lower), rounded_degrees(info.upper)));
     }
     found->finish();
   }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "angle_tables.h"
@@ -175,6 +178,24 @@ JointAngles read_checked_angles(const TomlTable& table) {
   return angles;
 }
 
+void read_waypoints(const TomlTable& file, Grasp& grasp) {
+  double last = 0;
+  for (const TomlTable& table : file.tables("waypoint")) {
+    Waypoint& point = grasp.waypoints.emplace_back();
+    point.progress = table.number("at_percent", 1, 99) / 100;
+    if (point.progress <= last) {
+      table.fail("at_percent", fmt::format("more than {:g}, as before it", 100 * last),
+                 fmt::format("{:g}", 100 * point.progress));
+    }
+    last = point.progress;
+    point.angles = read_angles(table, std::numeric_limits<double>::quiet_NaN());
+    if (table.has("approach_mm")) {
+      point.approach = vector_or(table, "approach_mm", grasp.approach, kLargestMm) / 1000;
+    }
+    table.finish();
+  }
+}
+
 }  // namespace
 
 Grasp load_grasp(const fs::path& path) {
@@ -190,6 +211,7 @@ Grasp load_grasp(const fs::path& path) {
   const TomlTable start = file.table("start");
   grasp.start.angles = read_checked_angles(start);
   start.finish();
+  read_waypoints(file, grasp);
   file.finish();
   return grasp;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
 #include <fstream>
 
 #include "graspdb/error.h"
@@ -101,6 +102,31 @@ TEST_F(GraspFile, ObjectLiesAlongItsAxes) {
   EXPECT_TRUE(placed.rotation.col(2).isApprox(Eigen::Vector3d::UnitX()));
   EXPECT_TRUE(placed.rotation.col(0).isApprox(Eigen::Vector3d::UnitY()));
   EXPECT_NEAR(placed.rotation.determinant(), 1, 1e-12);
+}
+
+const std::string kWaypoint =
+    "\n[[waypoint]]\nat_percent = 40\nthumb_deg = { ip = 5 }\napproach_mm = [0, 0, -30]\n";
+
+TEST_F(GraspFile, WaypointsStateSomeAnglesAndPerhapsAnApproach) {
+  const Grasp grasp = load(kGood + kWaypoint + "[[waypoint]]\nat_percent = 60\n");
+  ASSERT_EQ(grasp.waypoints.size(), 2U);
+  const Waypoint& point = grasp.waypoints.front();
+  EXPECT_NEAR(point.progress, 0.4, 1e-12);
+  EXPECT_NEAR(point.angles[kThumbIpFlexion], radians(5), 1e-12);
+  EXPECT_TRUE(std::isnan(point.angles[kThumbMcpFlexion]));
+  EXPECT_TRUE(point.approach->isApprox(Eigen::Vector3d(0, 0, -0.03)));
+  EXPECT_FALSE(grasp.waypoints.back().approach);
+}
+
+TEST_F(GraspFile, RefusesWaypointsOutOfOrderOrRange) {
+  const auto refused = [&](const std::string& waypoints) {
+    return refusal("index_deg = { mcp = 40, abduction = 5, pip = 50, dip = 25 }\n", waypoints);
+  };
+  EXPECT_THAT(refused(kWaypoint + kWaypoint), HasSubstr("more than 40"));
+  EXPECT_THAT(refused("[[waypoint]]\nat_percent = 100\n"), HasSubstr("at_percent"));
+  EXPECT_THAT(refused("[[waypoint]]\nat_percent = 50\nthumb_deg = { ip = 99 }\n"),
+              HasSubstr("thumb_deg.ip"));
+  EXPECT_THAT(refused("[[waypoint]]\nat_percent = 50\nstep = 2\n"), HasSubstr("step"));
 }
 
 TEST_F(GraspFile, RefusesWhatItDoesNotKnow) {

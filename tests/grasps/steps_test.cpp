@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "graspdb/grasp.h"
 
 namespace graspdb {
@@ -53,6 +55,41 @@ TEST(Steps, OtherStepCountsReachTheSamePoses) {
   const GraspPose b = pose_at_step(approached(), kRest, closed, 4, 10);
   EXPECT_TRUE(a.angles.isApprox(b.angles, 1e-12));
   EXPECT_THROW(pose_at_step(approached(), kRest, closed, 6, 5), std::logic_error);
+}
+
+Waypoint waypoint(double progress) {
+  return {progress, JointAngles::Constant(std::numeric_limits<double>::quiet_NaN()), {}};
+}
+
+TEST(Steps, HandPassesItsWaypointsAndGoesStraightInBetween) {
+  Grasp grasp = approached();
+  grasp.waypoints = {waypoint(0.2), waypoint(0.6)};
+  grasp.waypoints[0].angles[kThumbIpFlexion] = 0.9;
+  grasp.waypoints[1].angles[kThumbIpFlexion] = 0.3;
+  grasp.waypoints[1].approach = Eigen::Vector3d(0, 0, -0.04);
+  const GraspPose closed = some_pose();
+  const auto at = [&](int step) { return pose_at_step(grasp, kRest, closed, step, 10); };
+  EXPECT_NEAR(at(1).angles[kThumbIpFlexion], (kRest[kThumbIpFlexion] + 0.9) / 2, 1e-12);
+  EXPECT_NEAR(at(2).angles[kThumbIpFlexion], 0.9, 1e-12);
+  EXPECT_NEAR(at(4).angles[kThumbIpFlexion], 0.6, 1e-12);
+  EXPECT_NEAR(at(6).angles[kThumbIpFlexion], 0.3, 1e-12);
+  EXPECT_NEAR(at(8).angles[kThumbIpFlexion], (0.3 + closed.angles[kThumbIpFlexion]) / 2, 1e-12);
+  const auto back = [&](int step) {
+    return Eigen::Vector3d(at(step).hand_from_object.translation -
+                           closed.hand_from_object.translation);
+  };
+  EXPECT_TRUE(back(3).isApprox((grasp.approach + Eigen::Vector3d(0, 0, -0.04)) / 2, 1e-9));
+  EXPECT_TRUE(back(8).isApprox(Eigen::Vector3d(0, 0, -0.02), 1e-9));
+}
+
+TEST(Steps, WhatAWaypointDoesNotStateGoesStraight) {
+  Grasp grasp = approached();
+  const GraspPose closed = some_pose();
+  const GraspPose straight = pose_at_step(grasp, kRest, closed, 2);
+  grasp.waypoints = {waypoint(0.5)};
+  const GraspPose same = pose_at_step(grasp, kRest, closed, 2);
+  EXPECT_EQ(same.angles, straight.angles);
+  EXPECT_EQ(same.hand_from_object.translation, straight.hand_from_object.translation);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,14 @@ struct ContactArea {
   double to = 1;
 };
 
+// Where the straight way from rest to closed would lead through the object, the hand goes by way of
+// this.
+struct Waypoint {
+  double progress = 0;                      // of the way, above 0 and below 1
+  JointAngles angles;                       // NaN for what goes straight
+  std::optional<Eigen::Vector3d> approach;  // as in Grasp, at this place
+};
+
 // One file of grasps/*.toml; docs/grasps.md describes the format.
 struct Grasp {
   int id = 0;  // 1..33 are Feix's, a user's own start at 100
@@ -62,6 +71,7 @@ struct Grasp {
   // How much further from its place in the closed hand the object is when the hand is at rest,
   // hand frame, metres.
   Eigen::Vector3d approach = Eigen::Vector3d::Zero();
+  std::vector<Waypoint> waypoints;  // in the order of their progress
   std::filesystem::path file;
 };
 
@@ -77,8 +87,9 @@ Grasp load_grasp(const std::filesystem::path& file);
 // A folder's rest.toml or, where it has none, the project's.
 JointAngles load_rest_pose(const std::filesystem::path& directory);
 
-// Step 1..steps: step / steps of the way from rest to closed. The object keeps its place in the
-// world while the hand closes and translates, so that `hand_from_object` differs from step to step.
+// Step 0..steps: step / steps of the way from rest to closed, straight from one waypoint to the
+// next. The object keeps its place in the world while the hand closes and translates, so that
+// `hand_from_object` differs from step to step.
 GraspPose pose_at_step(const Grasp& grasp, const JointAngles& rest, const GraspPose& closed,
                        int step, int steps = kStepCount);
 
