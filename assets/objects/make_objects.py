@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes mug.obj beside this file: a closed surface, in millimetres."""
+"""Makes mug.obj and finger_rings.obj beside this file: closed surfaces, in millimetres."""
 import math
 import pathlib
 
@@ -110,5 +110,32 @@ def make_mug(radius=40.0, height=95.0, wall=4.0):
     mug.write("mug.obj", "A mug, 80 mm across, 95 mm high, with a handle along x.")
 
 
+def ring_with_hole(surface, y, towards, inner=28.0, wire=7.0, rounds=48, sides=16):
+    """A ring round z; the hole in its outside at the angle `towards` is returned as by border()."""
+    middle, loops = (inner + wire) / 2, []
+    for i in range(rounds):
+        a, points = -2 * math.pi * i / rounds, []
+        for j in range(sides):
+            b = 2 * math.pi * j / sides
+            r = middle + wire / 2 * math.cos(b)
+            points.append((r * math.cos(a), y + r * math.sin(a), wire / 2 * math.sin(b)))
+        loops.append(surface.loop(points))
+    row = round(-towards / (2 * math.pi) * rounds) % rounds - HOLE // 2
+    for i in range(rounds):
+        cut = row <= i < row + HOLE
+        surface.band(loops[i], loops[(i + 1) % rounds], range(-HOLE // 2, HOLE // 2) if cut else ())
+    return border(loops, row, -HOLE // 2)
+
+
+def make_finger_rings():
+    rings = Surface()
+    one = ring_with_hole(rings, -24, math.pi / 2)
+    other = ring_with_hole(rings, 24, -math.pi / 2)
+    order = turn_order(one)
+    rings.band([one[place] for place in order], [other[c, -r] for c, r in order])
+    rings.write("finger_rings.obj", "Two finger rings of 28 mm, joined, as on a pair of scissors.")
+
+
 if __name__ == "__main__":
     make_mug()
+    make_finger_rings()

@@ -157,6 +157,16 @@ TEST_F(Mug, IsHollowAndHasAHandle) {
   EXPECT_LT(solid().distance({handle - 0.004, 0, 0}), -0.002);        // in the handle
 }
 
+TEST(MeshSolid, FingerRingsAreTwoHolesOfTheirSize) {
+  const auto rings = load_mesh_solid(GRASPDB_SOURCE_DIR "/assets/objects/finger_rings.obj", 1e-3);
+  EXPECT_NEAR(rings->half_extents().y(), 0.045, 1e-4);
+  for (const double y : {-0.024, 0.024}) {
+    EXPECT_GT(rings->distance({0, y, 0}), 0.013);
+    EXPECT_NEAR(rings->distance({0.0135, y, 0}), 0.0005, 1e-4);
+  }
+  EXPECT_LT(rings->distance({0, 0, 0}), -0.001);  // where they are joined
+}
+
 TEST(MeshSolid, ItsMiddleIsTheOrigin) {
   Mesh ball;
   append(make_sphere(0.03)->mesh(), {0.4F, -0.1F, 0.2F}, ball);
