@@ -43,6 +43,7 @@ ClosingProblem::ClosingProblem(const Grasp& grasp, const Hand& hand, int stride,
   start_.hand_from_object.translation *= hand_length(hand.skeleton) / kReferenceHandLength;
   contacts_to_object_ = start_.hand_from_object.translation;
   if (grasp.from_contacts) place_between_contacts();
+  find_sides();
 }
 
 void ClosingProblem::place_between_contacts() {
@@ -50,22 +51,49 @@ void ClosingProblem::place_between_contacts() {
   placed.translation.setZero();
   placed.translation =
       placed.rotation * opposed_contacts(pose(start_)).middle() + contacts_to_object_;
-  find_sides();
 }
 
-// A finger that has crossed a thin plate is not in it but behind it. So the thumb keeps to the side
-// of a thin object where it starts, and the others to the other one.
+// A finger that has crossed a thin plate is not in it but behind it. So digits keep to the side of
+// a thin object where they start.
 void ClosingProblem::find_sides() {
   constexpr double kThin = 0.4;  // share of the second smallest extent
   Eigen::Vector3d extents = grasp_.object->half_extents();
   const double thickness = extents.minCoeff(&thin_axis_);
   extents[thin_axis_] = extents.maxCoeff();
   if (thickness > kThin * extents.minCoeff()) return;
-  const Opposed contacts = opposed_contacts(pose(start_));
+  const Posed posed = pose(start_);
+  const Opposed contacts = opposed_contacts(posed);
   const double thumb_side = contacts.thumb[thin_axis_] < contacts.others[thin_axis_] ? -1 : 1;
+  std::array<double, kDigitCount> sides{};
   for (const int digit : grasp_.required_digits) {
-    if (digit > 0) side_[static_cast<std::size_t>(digit)] = digit == 1 ? thumb_side : -thumb_side;
+    if (digit == 0) continue;
+    sides[static_cast<std::size_t>(digit)] = !grasp_.from_contacts ? side_over_face(digit, posed)
+                                             : digit == 1          ? thumb_side
+                                                                   : -thumb_side;
   }
+  side_ = sides;
+}
+
+// The side of the plate whose face all of a digit's contact areas lie over and look at; 0 when
+// there is none, as for a finger that goes round the rim.
+double ClosingProblem::side_over_face(int digit, const Posed& posed) const {
+  constexpr double kLooksAt = 0.7;  // cosine
+  double side = 0;
+  for (const auto& [area, samples] : areas_) {
+    if (area.digit != digit) continue;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const int i : samples) middle += posed.in_object[static_cast<std::size_t>(i)];
+    middle /= static_cast<double>(std::max<std::size_t>(1, samples.size()));
+    const Eigen::Vector3d looks =
+        posed.object_from_hand.rotation *
+        (posed.bones[static_cast<std::size_t>(area.bone)].rotation * outward(area.side));
+    const double here = middle[thin_axis_] < 0 ? -1 : 1;
+    middle[thin_axis_] = 0;
+    const bool over_face = grasp_.object->distance(middle) < 0;
+    if (!over_face || -here * looks[thin_axis_] < kLooksAt || side == -here) return 0;
+    side = here;
+  }
+  return side;
 }
 
 Eigen::VectorXd ClosingProblem::pack(const GraspPose& pose) const {

@@ -52,6 +52,7 @@ class ClosingProblem {
 
   void place_between_contacts();
   void find_sides();
+  double side_over_face(int digit, const Posed& posed) const;
   Posed pose(const GraspPose& at) const;
   Opposed opposed_contacts(const Posed& posed) const;
   double distance(int digit, const Eigen::Vector3d& point_in_object) const;
