@@ -61,7 +61,7 @@ class SceneReader {
   }
 
   void add_mesh(const aiMesh& mesh) {
-    if (mesh.mNumBones == 0) return;
+    if (mesh.mNumBones == 0 || !mesh.HasNormals()) return;  // points and lines have none
     std::vector<std::uint32_t> merged;
     for (Corner& corner : read_corners(mesh)) merged.push_back(add_corner(std::move(corner)));
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
@@ -83,6 +83,7 @@ class SceneReader {
       corners[v].position = (blends[v] * to_vector(mesh.mVertices[v]).homogeneous()).cast<float>();
       if (!corners[v].position.allFinite()) fail(v, "a place", "no number");
       corners[v].normal = (blends[v].leftCols<3>() * to_vector(mesh.mNormals[v])).cast<float>();
+      if (!corners[v].normal.allFinite()) fail(v, "a normal", "no number");
       corners[v].albedo = mesh.HasVertexColors(0) ? grey(mesh.mColors[0][v]) : 1;
     }
     return corners;

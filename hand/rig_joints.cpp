@@ -59,6 +59,7 @@ class JointReader {
       for (const auto& [known, place] : file_.joints) names.push_back(known);
       fail(key, fmt::format("one of {}", fmt::join(names, ", ")), "no \"" + name + "\"");
     }
+    if (!found->second.allFinite()) fail(key, "a place", "no number for \"" + name + "\"");
     return metres_from_file_ * found->second;
   }
 
@@ -114,7 +115,7 @@ class JointReader {
       }
       // onward * distance = corners * shares, and shares that sum to 1 are >= 0 inside.
       const Vector3d shares = corners.partialPivLu().solve(onward);
-      if (!(shares.minCoeff() >= 0)) continue;
+      if (!shares.allFinite() || shares.minCoeff() < 0) continue;  // not finite: seen edge-on
       const double distance = 1 / shares.sum();
       if (distance > nearest) continue;
       nearest = distance;

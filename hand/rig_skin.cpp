@@ -12,10 +12,21 @@ namespace graspdb {
 namespace {
 
 constexpr double kSmallestWeight = 1e-6;
+constexpr float kFarthestSkinM = .6F;  // from the wrist: an arm to beyond the elbow
 
 [[noreturn]] void fail(const RigMap& map, const RigFile& file, const std::string& key,
                        const std::string& expected, const std::string& found) {
   throw Error({map.file, key, expected, found + " in " + file.path});
+}
+
+void check_reach(const RigMap& map, const RigFile& file, const Mesh& skin_in_palm) {
+  for (std::size_t v = 0; v < skin_in_palm.vertices.size(); ++v) {
+    const float distance = skin_in_palm.vertices[v].norm();
+    if (distance <= kFarthestSkinM) continue;
+    fail(map, file, "bones", fmt::format("skin within {} m of the wrist", kFarthestSkinM),
+         fmt::format("\"{}\", which moves some at {:.3g} m,", file.bones[file.shares[v][0].bone],
+                     distance));
+  }
 }
 
 std::vector<int> bones_of_file(const RigMap& map, const RigFile& file) {
@@ -50,6 +61,7 @@ RigSkin skin_in_palm(const RigMap& map, const RigFile& file, const RigidTransfor
   for (Eigen::Vector3f& v : skin.mesh.vertices) {
     v = (palm_from_file * (metres * v.cast<double>())).cast<float>();
   }
+  check_reach(map, file, skin.mesh);
   for (Eigen::Vector3f& n : skin.mesh.normals) {
     n = (palm_from_file.rotation * (metres * n.cast<double>()).normalized()).cast<float>();
   }

@@ -16,7 +16,7 @@ struct RigSkin {
 };
 
 // Throws Error, naming map, file and bone, for skin on a bone that the map does not name, and for
-// a bone that it names twice.
+// skin further from the wrist than a forearm reaches.
 RigSkin skin_in_palm(const RigMap& map, const RigFile& file, const RigidTransform& palm_from_file);
 
 // What linear blending takes: the four largest, which sum to 1.

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "rig_maps.h"
 #include "support/compare_hands.h"
 
@@ -14,6 +16,7 @@ using ::testing::HasSubstr;
 using testing::kMale;
 using testing::map_with;
 using testing::refusal_with;
+using testing::replaced;
 using testing::TemporaryDirectory;
 
 TEST(Rig, MapLiesBesideTheHand) {
@@ -114,6 +117,45 @@ TEST(Rig, RefusesATruncatedFile) {
     write_text(directory / "cut.glb", whole.substr(0, length));
     EXPECT_THROW(load_hand(directory / "cut.glb", rig_map_beside(kMale)), Error) << length;
   }
+}
+
+// The male hand with numbers written over those at the start of one vertex' data; a .glb keeps the
+// positions of all vertices, then their normals.
+std::string refusal_of_file(std::size_t byte_of_data, const std::string& bytes) {
+  const TemporaryDirectory directory;
+  std::string file = read_text(kMale);
+  const std::size_t data = file.find(std::string("BIN\0", 4)) + 4;
+  write_text(directory / "spoilt.glb", file.replace(data + byte_of_data, bytes.size(), bytes));
+  try {
+    load_hand(directory / "spoilt.glb", rig_map_beside(kMale));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string bytes_of(float number) {
+  return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+TEST(Rig, RefusesSkinThatLiesNowhereOrTooFarAway) {
+  constexpr std::size_t kVertex = 100 * 12;
+  const std::size_t normals = load_hand(kMale).bind_mesh.vertices.size() * 12;
+  const float nan = std::nanf("");
+  EXPECT_THAT(refusal_of_file(kVertex, bytes_of(nan)), HasSubstr("vertex 100"));
+  EXPECT_THAT(refusal_of_file(normals + kVertex, bytes_of(nan)), HasSubstr("vertex 100"));
+  for (const float far : {2.F, -50.F, 1e30F}) {
+    EXPECT_THAT(refusal_of_file(kVertex, bytes_of(far)), HasSubstr("of the wrist")) << far;
+  }
+}
+
+TEST(Rig, RefusesAMeshOfLines) {
+  const TemporaryDirectory directory;
+  // As long as before: the file says how long its parts are.
+  const std::string lines = replaced(replaced(read_text(kMale), "\"NORMAL\":1,", "  "),
+                                     "\"indices\":5", "\"indices\":5,\"mode\":1");
+  write_text(directory / "lines.glb", lines);
+  EXPECT_THROW(load_hand(directory / "lines.glb", rig_map_beside(kMale)), Error);
 }
 
 }  // namespace
