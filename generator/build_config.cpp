@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -42,6 +44,24 @@ fs::path found(const std::string& path, const fs::path& beside) {
   return data_directory() / path;
 }
 
+// An object, nested no deeper than a configuration is: what follows recurses.
+json parse_object(const std::string& text, const std::string& file) {
+  constexpr int kDeepest = 4;
+  const auto fault = [&](const std::string& found) {
+    return Error({file, "config", "a JSON object of options", found});
+  };
+  try {
+    json root = json::parse(text, [&](int depth, json::parse_event_t, const json&) {
+      if (depth > kDeepest) throw fault("values nested too deep");
+      return true;
+    });
+    if (!root.is_object()) throw fault(root.type_name());
+    return root;
+  } catch (const json::exception& wrong) {
+    throw fault(wrong.what());
+  }
+}
+
 // JSON as TOML: the two differ in how a table joins key and value.
 std::string toml_value(const json& value) {
   if (!value.is_structured()) return value.dump();
@@ -55,7 +75,9 @@ std::string toml_value(const json& value) {
 
 std::string toml_document(const json& root) {
   std::string text;
-  for (const auto& [key, value] : root.items()) text += key + " = " + toml_value(value) + "\n";
+  for (const auto& [key, value] : root.items()) {
+    text += json(key).dump() + " = " + toml_value(value) + "\n";
+  }
   return text;
 }
 
@@ -80,7 +102,14 @@ Light read_light(const TomlTable& table) {
 
 std::map<int, std::string> read_grasp_hashes(const TomlTable& table) {
   std::map<int, std::string> hashes;
-  for (const std::string& id : table.keys()) hashes[std::stoi(id)] = table.string(id);
+  for (const std::string& key : table.keys()) {
+    int id = 0;
+    const auto [end, fault] = std::from_chars(key.data(), key.data() + key.size(), id);
+    if (fault != std::errc() || end != key.data() + key.size()) {
+      table.fail(key, "a grasp's number as its key", "\"" + key + "\"");
+    }
+    hashes[id] = table.string(key);
+  }
   return hashes;
 }
 
@@ -92,6 +121,7 @@ BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
   config.grasps = found(table.string_or("grasps", "grasps"), beside);
   if (table.has("only")) {
     for (const double id : table.numbers("only", -1, 1, 65535)) {
+      if (id != std::floor(id)) table.fail("only", "whole numbers", fmt::format("{}", id));
       config.only.push_back(static_cast<int>(id));
     }
   }
@@ -129,7 +159,10 @@ void check_config(const BuildConfig& config) {
   check_range("views", config.views, 1, 100000);
   check_range("resolution", config.resolution, 16, 1024);
   check_range("distance", config.distance, 0.2, 5);
-  check_range("visible forearm", config.visible_forearm, 0, 0.3);
+  // From the palm's centre to the wrist and the camera's near side: it must not stand in the arm.
+  constexpr double kClearance = 0.1;
+  check_range("visible forearm", config.visible_forearm, 0,
+              std::min(0.3, config.distance - kClearance));
 }
 
 std::string config_to_json(const BuildConfig& config) {
@@ -160,12 +193,8 @@ BuildConfig load_config(const fs::path& path) {
   const fs::path beside = fs::absolute(path).parent_path();
   const std::optional<std::string> stored = stored_json(path);
   if (!stored) return read_config(TomlTable::load(path), beside);
-  try {
-    const std::string toml = toml_document(json::parse(*stored));
-    return read_config(TomlTable::parse(toml, path.string()), beside);
-  } catch (const json::exception& fault) {
-    throw Error({path.string(), "config", "JSON", fault.what()});
-  }
+  const std::string toml = toml_document(parse_object(*stored, path.string()));
+  return read_config(TomlTable::parse(toml, path.string()), beside);
 }
 
 }  // namespace graspdb

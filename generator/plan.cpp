@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "graspdb/error.h"
 #include "graspdb/file.h"
@@ -34,6 +35,19 @@ std::vector<Grasp> choose(std::vector<Grasp> grasps, const std::vector<int>& onl
     chosen.push_back(*found);
   }
   return chosen;
+}
+
+// Rows and shards tell hands by their names: the stems of their files.
+void check_names(const std::vector<std::filesystem::path>& hands) {
+  std::set<std::string> names;
+  for (const auto& file : hands) {
+    const std::string name = file.stem().string();
+    if (names.insert(name).second) continue;
+    throw Error({.file = file.string(),
+                 .key = "hands",
+                 .expected = "another name for each hand",
+                 .found = name + " twice"});
+  }
 }
 
 std::vector<bool> variants_of(Objects objects) {
@@ -89,6 +103,7 @@ void settle_hashes(const std::vector<Grasp>& grasps, BuildConfig& config) {
 
 Plan make_plan(const BuildConfig& config, int threads) {
   check_config(config);
+  check_names(config.hands);
   Plan plan{.config = config};
   plan.grasps = choose(load_grasps(config.grasps), config.only, config.grasps);
   settle_hashes(plan.grasps, plan.config);

@@ -273,6 +273,49 @@ TEST_F(Shards, TheConfigurationMayBeATextFile) {
   EXPECT_THAT(refusal([&] { load_config(directory_ / "wrong.toml"); }), HasSubstr("objects"));
 }
 
+TEST_F(Shards, AConfigurationMayHoldPathsOfAnyText) {
+  const fs::path odd = directory_ / "q\"ü'\\ [x] = 1";
+  fs::create_directory(odd);
+  for (const char* file : {"male.glb", "male.rig.toml"})
+    fs::copy_file(directory_ / file, odd / file);
+  config_.hands = {odd / "male.glb"};
+  write_text(directory_ / "odd.json", config_to_json(config_));
+  const BuildConfig read = load_config(directory_ / "odd.json");
+  EXPECT_EQ(read.hands, config_.hands);
+  EXPECT_EQ(config_to_json(read), config_to_json(config_));
+}
+
+TEST_F(Shards, AConfigurationThatIsNoneIsRefused) {
+  const auto refusal_of = [&](const std::string& json) {
+    write_text(directory_ / "wrong.json", json);
+    return refusal([&] { load_config(directory_ / "wrong.json"); });
+  };
+  for (const char* json : {"null", "3", "[1]", "\"grasps\"", "{\"views\": }", ""}) {
+    EXPECT_THAT(refusal_of(json), HasSubstr("wrong.json: 'config'")) << json;
+  }
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  EXPECT_THAT(refusal_of("{\"only\": " + deep + "}"), HasSubstr("too deep"));
+  EXPECT_THAT(refusal_of(R"({"grasp_hashes": {"3x": "0"}})"), HasSubstr("grasp_hashes.3x"));
+  EXPECT_THAT(refusal_of(R"({"grasp_hashes": {"99999999999": "0"}})"), HasSubstr("99999999999"));
+  EXPECT_THAT(refusal_of(R"({"only": [1.5]})"), HasSubstr("only"));
+  EXPECT_THAT(refusal_of(R"({"steps\n": 5})"), HasSubstr("unknown key"));
+}
+
+TEST_F(Shards, OfTwoHandsWithOneNameAreRefused) {
+  fs::create_directory(directory_ / "other");
+  for (const char* file : {"male.glb", "male.rig.toml"}) {
+    fs::copy_file(directory_ / file, directory_ / "other" / file);
+  }
+  config_.hands.push_back(directory_ / "other/male.glb");
+  EXPECT_THAT(refusal([&] { build(); }), HasSubstr("male twice"));
+}
+
+TEST_F(Shards, OfAForearmThatReachesTheCameraAreRefused) {
+  config_.distance = .2;
+  config_.visible_forearm = .15;
+  EXPECT_THAT(refusal([&] { build(); }), HasSubstr("visible forearm"));
+}
+
 // The hash that a build takes of its own source.
 std::string hash_of(const fs::path& directory) {
   const std::string command = fmt::format(

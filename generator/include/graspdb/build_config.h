@@ -15,15 +15,16 @@ namespace graspdb {
 enum class Objects { kHeld, kFree, kBoth };
 
 struct BuildConfig {
-  std::vector<std::filesystem::path> hands;  // .glb files with their rig maps beside them
-  std::filesystem::path grasps;              // the folder of grasp files
-  std::vector<int> only;                     // grasp ids; empty = all
+  std::vector<std::filesystem::path>
+      hands;                     // .glb files, each with its rig map and a name of its own
+  std::filesystem::path grasps;  // the folder of grasp files
+  std::vector<int> only;         // grasp ids; empty = all
   Objects objects = Objects::kHeld;
   int steps = 5;                   // 1..20
   int views = 648;                 // 1..100000
   int resolution = 128;            // pixels a side, 16..1024
   double distance = 0.7;           // metres from camera to palm centre
-  double visible_forearm = 0.015;  // metres beyond the wrist joint
+  double visible_forearm = 0.015;  // metres beyond the wrist joint, at most distance - 0.1
   Light light;
   HogOptions hog{.mode = HogMode::kEdges};
 
