@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <charconv>
 #include <csignal>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "console.h"
@@ -45,12 +45,20 @@ BuildConfig config_of(const Options& options) {
   return config;
 }
 
+void read_shard(const std::string& text, BuildJob& job) {
+  const char* const end = text.data() + text.size();
+  const auto [slash, fault] = std::from_chars(text.data(), end, job.shard);
+  const bool has_slash = fault == std::errc() && slash != end && *slash == '/';
+  const char* const second = has_slash ? slash + 1 : end;
+  const auto [last, second_fault] = std::from_chars(second, end, job.shards);
+  if (second_fault != std::errc() || last != end || job.shard < 0 || job.shard >= job.shards) {
+    throw Error({.key = "--shard", .expected = "i/n with 0 <= i < n", .found = text});
+  }
+}
+
 BuildJob job_of(const Options& options) {
   BuildJob job{.out = options.out, .work = options.work, .threads = options.threads};
-  if (std::sscanf(options.shard.c_str(), "%d/%d", &job.shard, &job.shards) != 2 || job.shards < 1 ||
-      job.shard < 0 || job.shard >= job.shards) {
-    throw Error({.key = "--shard", .expected = "i/n with 0 <= i < n", .found = options.shard});
-  }
+  read_shard(options.shard, job);
   job.progress = console_progress("made", "rows");
   job.stop = [] { return g_interrupted != 0; };
   return job;
@@ -105,10 +113,14 @@ class RowOptions {
   RowOptions(CLI::App& verb, Options& options) : verb_(verb), options_(options) {}
 
   void add_all() {
-    add("--hand", &BuildConfig::hands,
-        "A rigged hand with its rig map beside it; once for each [the male hand]")
-        ->allow_extra_args(false);
-    add("--grasps", &BuildConfig::grasps, "The folder of grasp files [the project's own]");
+    const CLI::Option* hands =
+        add("--hand", &BuildConfig::hands,
+            "A rigged hand with its rig map beside it; once for each [the male hand]")
+            ->allow_extra_args(false);
+    forget(hands, &BuildConfig::hand_hashes);
+    const CLI::Option* grasps =
+        add("--grasps", &BuildConfig::grasps, "The folder of grasp files [the project's own]");
+    forget(grasps, &BuildConfig::grasp_hashes);
     add("--only", &BuildConfig::only, "Grasp numbers, by commas [all]")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -137,6 +149,14 @@ class RowOptions {
       if (option->count() > 0) config.*member = given.*member;
     });
     return option;
+  }
+
+  // A configuration's hashes are of its own files, not of those that an option puts in their place.
+  template <typename T>
+  void forget(const CLI::Option* option, T BuildConfig::*hashes) {
+    options_.override.emplace_back([option, hashes](BuildConfig& config) {
+      if (option->count() > 0) (config.*hashes).clear();
+    });
   }
 
   void add_forearm() {

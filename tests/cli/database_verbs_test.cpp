@@ -69,6 +69,27 @@ TEST(DatabaseVerbs, AFailedBuildLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
 }
 
+TEST(DatabaseVerbs, AShardIsTwoNumbersAndNothingElse) {
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory / "x.graspdb").string();
+  for (const char* shard : {"1/3x", "1", "3/3", "1/99999999999"}) {
+    expect_refused(run_program(std::string("build --shard ") + shard + " --out " + file),
+                   "--shard");
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+}
+
+TEST(DatabaseVerbs, AnOptionStandsOverTheConfigurationsHand) {
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory / "tiny.graspdb").string();
+  ASSERT_EQ(testing::build_tiny(file).code, 0);
+  const std::string child = GRASPDB_SOURCE_DIR "/assets/hands/child.glb";
+  const Outcome built =
+      run_program("build --config " + file + " --hand " + child + " --out " + file + "2");
+  ASSERT_EQ(built.code, 0) << built.err;
+  EXPECT_EQ(json::parse(run_program("info --json " + file + "2").out).at("hands").at(0), "child");
+}
+
 TEST(DatabaseVerbs, MissingAndForeignFilesAreNamed) {
   const testing::TemporaryDirectory directory;
   const std::string file = (directory / "text.graspdb").string();
