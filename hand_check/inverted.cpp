@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_inverted.h"
+#include "inverted.h"
 
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 
+#include "geometry.h"
 #include "graspdb/named_poses.h"
 #include "graspdb/parallel.h"
-#include "hand_check_geometry.h"
-#include "hand_check_lines.h"
+#include "lines.h"
 
 namespace graspdb {
 namespace {

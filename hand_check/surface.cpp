@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_surface.h"
+#include "surface.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "hand_check_geometry.h"
-#include "hand_check_lines.h"
+#include "geometry.h"
+#include "lines.h"
 
 namespace graspdb {
 namespace {

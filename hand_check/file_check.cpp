@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/hand_file_check.h"
-
 #include <assimp/commonMetaData.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -12,7 +10,8 @@
 #include <map>
 
 #include "graspdb/error.h"
-#include "hand_check_lines.h"
+#include "graspdb/hand_file_check.h"
+#include "lines.h"
 
 namespace graspdb {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_poses.h"
+#include "poses.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
+#include "geometry.h"
 #include "graspdb/named_poses.h"
-#include "hand_check_geometry.h"
-#include "hand_check_lines.h"
-#include "hand_check_surface.h"
+#include "lines.h"
+#include "surface.h"
 
 namespace graspdb {
 namespace {

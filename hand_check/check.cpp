@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/hand_check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "hand_check_angles.h"
-#include "hand_check_inverted.h"
-#include "hand_check_lines.h"
-#include "hand_check_poses.h"
-#include "hand_check_reach.h"
-#include "hand_check_size.h"
-#include "hand_check_surface.h"
+#include "angles.h"
+#include "graspdb/hand_check.h"
+#include "inverted.h"
+#include "lines.h"
+#include "poses.h"
+#include "reach.h"
+#include "size.h"
+#include "surface.h"
 
 namespace graspdb {
 namespace {

@@ -54,13 +54,13 @@ struct AskedSize {
 //                          and fingers
 //   inverted and seen      those of them at a limit that no skin covers on the way out from their
 //                          middle: inverted elsewhere than in a fold
-//   volume change          against the bind pose, of the whole skin; the worst of the thumb's
-//   limits PIP section            from the PIP joint's centre, along the bisector of the two
-//   phalanges'
-//                          backs, to the skin: at 105 degrees of flexion, of its value when
+//   volume change          against the bind pose, of the whole skin; and the worst of the thumb's
+//                          limits
+//   PIP section            from the PIP joint's centre, along the bisector of the backs of the two
+//                          phalanges, to the skin: at 105 degrees of flexion, of its value when
 //                          straight
-//   pulp gap, pulp facing  a digit's pulp is where a line from 65 % of its distal bone, palmar, comes
-//                          out of the skin; it looks as that line goes. Where thumb and finger meet
+//   pulp gap, pulp facing  a digit's pulp is where a line from 65 % of its distal bone, palmar,
+//                          leaves the skin; it looks as that line goes. Where thumb and finger meet
 //                          best within their ranges, as a search finds: the distance of the two
 //                          pulps, and the angle that is missing for them to look at each other
 //   tip to palm            in the fist, least distance of the skin of the finger's distal half bone

@@ -2,10 +2,10 @@
 // Each line on bent skin and on reach passes on the male hand and fails on one that was spoilt.
 #include <cmath>
 
-#include "hand_check_inverted.h"
-#include "hand_check_meeting.h"
-#include "hand_check_poses.h"
-#include "hand_check_reach.h"
+#include "inverted.h"
+#include "meeting.h"
+#include "poses.h"
+#include "reach.h"
 #include "spoilt_hands.h"
 #include "support/toy_skeleton.h"
 

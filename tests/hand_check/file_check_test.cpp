@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The lines that are read from the file: of the male hand, and of it spoilt and written by assimp.
-#include "graspdb/hand_file_check.h"
-
 #include <assimp/scene.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +10,7 @@
 
 #include "graspdb/error.h"
 #include "graspdb/file.h"
+#include "graspdb/hand_file_check.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_lines.h"
+#include "lines.h"
 
 #include <fmt/format.h>
 

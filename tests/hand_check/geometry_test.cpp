@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_geometry.h"
+#include "geometry.h"
 
 #include <gtest/gtest.h>
 

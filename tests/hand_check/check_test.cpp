@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Size and angles, hands that lack a part, and the check as a whole.
-#include "graspdb/hand_check.h"
-
 #include <cmath>
 
-#include "hand_check_angles.h"
-#include "hand_check_inverted.h"
-#include "hand_check_poses.h"
-#include "hand_check_reach.h"
-#include "hand_check_size.h"
+#include "angles.h"
+#include "graspdb/hand_check.h"
+#include "inverted.h"
+#include "poses.h"
+#include "reach.h"
+#include "size.h"
 #include "spoilt_hands.h"
 
 namespace graspdb::testing {

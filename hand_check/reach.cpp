@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_reach.h"
+#include "reach.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <array>
 #include <cmath>
 
+#include "geometry.h"
 #include "graspdb/named_poses.h"
-#include "hand_check_geometry.h"
-#include "hand_check_lines.h"
-#include "hand_check_meeting.h"
+#include "lines.h"
+#include "meeting.h"
 
 namespace graspdb {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_meeting.h"
+#include "meeting.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "graspdb/random.h"
-#include "hand_check_lines.h"
+#include "lines.h"
 
 namespace graspdb {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Each line on the surface passes on the male hand and fails on one that was spoilt for it.
-#include "hand_check_surface.h"
+#include "surface.h"
 
 #include <cmath>
 
-#include "hand_check_poses.h"
+#include "poses.h"
 #include "spoilt_hands.h"
 
 namespace graspdb::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_angles.h"
+#include "angles.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <bitset>
 #include <cmath>
 
-#include "hand_check_geometry.h"
-#include "hand_check_lines.h"
+#include "geometry.h"
+#include "lines.h"
 
 namespace graspdb {
 namespace {

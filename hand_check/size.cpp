@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "hand_check_size.h"
+#include "size.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
 #include "graspdb/named_poses.h"
-#include "hand_check_lines.h"
+#include "lines.h"
 
 namespace graspdb {
 namespace {
