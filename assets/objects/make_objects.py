@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes mug.obj and finger_rings.obj beside this file: closed surfaces, in millimetres."""
+"""Makes the .obj files beside this file: closed surfaces, in millimetres."""
+import itertools
 import math
 import pathlib
 
 HOLE = 4  # cells a side that are cut out of a surface where another part joins it
+THUMB_RING = (9, 35)  # of scissors: its middle towards the blades, and off the fingers
 
 
 class Surface:
@@ -136,6 +138,73 @@ def make_finger_rings():
     rings.write("finger_rings.obj", "Two finger rings of 28 mm, joined, as on a pair of scissors.")
 
 
+def to_segment(x, y, start, end):
+    """Distance in the plane, and how far along the segment the nearest point is, 0 to 1."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    t = ((x - start[0]) * dx + (y - start[1]) * dy) / (dx * dx + dy * dy)
+    t = min(max(t, 0), 1)
+    return math.hypot(x - start[0] - t * dx, y - start[1] - t * dy), t
+
+
+def scissors_distance(x, y, z, wire=3.0):
+    """Closed scissors in the xy plane: below 0 inside. The fingers' bow is round the origin."""
+    bow = abs(to_segment(x, y, (-26, 0), (26, 0))[0] - 16)
+    thumb = abs(math.hypot(x + THUMB_RING[0], y - THUMB_RING[1]) - 19)
+    shanks = [to_segment(x, y, start, (-82, 16))[0] for start in ((-41, 5), (-25, 45))]
+    solid = math.hypot(min(bow, thumb, *shanks), z) - wire
+    across, t = to_segment(x, y, (-78, 16), (-150, 16))
+    return min(solid, (math.hypot(across, z * (1.6 + t)) - 6 + 4 * t) / (1.6 + t))
+
+
+def make_scissors(step=2.0):
+    """Marching tetrahedra: each cube is cut into the six that share its diagonal."""
+    low, counts = (-155.1, -21.7, -5.05), (102, 42, 6)
+    around = (1, 3, 2, 6, 4, 5, 1)  # corners of a cube round its diagonal from 0 to 7
+    tetrahedra = [(0, a, b, 7) for a, b in itertools.pairwise(around)]
+    scissors, values, cuts = Surface(), {}, {}
+
+    def place(corner):
+        return tuple(a + step * i for a, i in zip(low, corner))
+
+    def value(corner):
+        if corner not in values:
+            d = scissors_distance(*place(corner))
+            values[corner] = math.copysign(max(abs(d), step / 30), d)  # no slivers
+        return values[corner]
+
+    def cut(inside, outside):
+        if (inside, outside) not in cuts:
+            t = value(inside) / (value(inside) - value(outside))
+            pair = zip(place(inside), place(outside))
+            cuts[inside, outside] = scissors.loop([tuple(a + t * (b - a) for a, b in pair)])[0]
+        return cuts[inside, outside]
+
+    for x, y, z in itertools.product(*map(range, counts)):
+        cube = [(x + (k & 1), y + (k >> 1 & 1), z + (k >> 2)) for k in range(8)]
+        if len({value(corner) < 0 for corner in cube}) == 1:
+            continue
+        for tetrahedron in tetrahedra:
+            scissors.faces += cut_tetrahedron([cube[k] for k in tetrahedron], value, cut)
+    scissors.write("scissors.obj", "Scissors: a bow for four fingers and a thumb ring.")
+
+
+def cut_tetrahedron(corners, value, cut):
+    """The faces between the corners inside and those outside; corners as a right-handed frame."""
+    inside = [i for i in range(4) if value(corners[i]) < 0]
+    outside = [i for i in range(4) if i not in inside]
+    if not inside or not outside:
+        return []
+    order = inside + outside
+    even = sum(a > b for a, b in itertools.combinations(order, 2)) % 2 == 0
+    ring = [cut(corners[i], corners[o]) for i in inside for o in outside]
+    if len(ring) == 4:
+        ring[2], ring[3] = ring[3], ring[2]
+    if not even:
+        ring.reverse()
+    return [(ring[0], ring[i], ring[i + 1]) for i in range(1, len(ring) - 1)]
+
+
 if __name__ == "__main__":
     make_mug()
     make_finger_rings()
+    make_scissors()
