@@ -69,7 +69,7 @@ void print(const HandCheckLine& line) {
   const std::string value =
       std::isnan(line.value) ? "-" : fmt::format("{:.4g} {}", line.value, line.unit);
   const std::string text =
-      fmt::format("{:4} {:34} {:>13}  {:14} {}", verdict, line.name, value, line.gate, line.why);
+      fmt::format("{:4} {:37} {:>13}  {:14} {}", verdict, line.name, value, line.gate, line.why);
   fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
 }
 

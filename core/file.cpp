@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -17,6 +18,17 @@
 namespace graspdb {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// What temporary files beside `path` are called that this machine's processes write.
+std::string aside_start(const fs::path& path) {
+  char host[HOST_NAME_MAX + 1] = {};
+  if (::gethostname(host, HOST_NAME_MAX) != 0) host[0] = '\0';
+  return fmt::format("{}.{}.", path.string(), host);
+}
+
+}  // namespace
 
 std::string read_text(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -31,7 +43,7 @@ std::string read_text(const fs::path& path) {
 }
 
 FileAside::FileAside(fs::path path)
-    : path_(std::move(path)), aside_(fmt::format("{}.{}.tmp", path_.string(), ::getpid())) {
+    : path_(std::move(path)), aside_(fmt::format("{}{}.tmp", aside_start(path_), ::getpid())) {
   if (path_.has_parent_path()) {
     std::error_code ignored;  // open() reports what matters
     fs::create_directories(path_.parent_path(), ignored);
@@ -71,7 +83,7 @@ void FileAside::commit() {
 }
 
 void remove_leftovers(const fs::path& path) {
-  const std::string start = path.filename().string() + ".", end = ".tmp";
+  const std::string start = aside_start(path.filename()), end = ".tmp";
   std::error_code ignored;  // no folder, no leftovers
   for (const auto& entry : fs::directory_iterator(fs::absolute(path).parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();

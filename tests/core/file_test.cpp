@@ -2,6 +2,8 @@
 #include "graspdb/file.h"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "graspdb/error.h"
 #include "graspdb/hash.h"
@@ -47,6 +49,27 @@ TEST(File, AnEmptyFileReadsAsNothing) {
   const testing::TemporaryDirectory directory;
   write_text(directory / "empty", "");
   EXPECT_EQ(read_text(directory / "empty"), "");
+}
+
+TEST(File, LeftoversOfKilledWritersAreRemovedAndNoOthers) {
+  const testing::TemporaryDirectory directory;
+  const auto path = directory / "a.txt";
+  const pid_t killed = ::fork();
+  if (killed == 0) {
+    FileAside file(path);
+    ::_exit(0);  // no destructor runs
+  }
+  ::waitpid(killed, nullptr, 0);
+  FileAside alive(path);
+  write_text(path.string() + ".elsewhere." + std::to_string(killed) + ".tmp", "of another machine");
+  const auto files = [&] {
+    return std::distance(std::filesystem::directory_iterator(directory.path()), {});
+  };
+  EXPECT_EQ(files(), 3);
+  remove_leftovers(path);
+  EXPECT_EQ(files(), 2);
+  alive.commit();
+  EXPECT_TRUE(std::filesystem::exists(path));
 }
 
 TEST(Hash, MatchesThePublishedValueOfTheEmptyInput) {

@@ -35,7 +35,8 @@ class FileAside {
   int descriptor_ = -1;
 };
 
-// Removes what killed processes of this machine left beside `path` when they were writing it.
+// Removes what killed processes of this machine left beside `path` when they were writing it. What
+// those of another one, on a disk that both share, are writing there is left alone.
 void remove_leftovers(const std::filesystem::path& path);
 
 // Writes a small text file in one go, aside and renamed.
