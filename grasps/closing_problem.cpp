@@ -56,7 +56,8 @@ void ClosingProblem::place_between_contacts() {
 // A finger that has crossed a thin plate is not in it but behind it. So digits keep to the side of
 // a thin object where they start.
 void ClosingProblem::find_sides() {
-  constexpr double kThin = 0.4;  // share of the second smallest extent
+  if (!grasp_.object_file.empty()) return;  // a mesh may have holes to reach through
+  constexpr double kThin = 0.4;             // share of the second smallest extent
   Eigen::Vector3d extents = grasp_.object->half_extents();
   const double thickness = extents.minCoeff(&thin_axis_);
   extents[thin_axis_] = extents.maxCoeff();
