@@ -116,6 +116,12 @@ def print_size(skins):
     print("skin: {:.1f} x {:.1f} x {:.1f} mm (Blender's x, y, z)".format(*size))
 
 
+def free_rig_map(glb):
+    """Where the draft goes: beside the .glb; a map that a person may have filled in is kept."""
+    rig_map = glb.with_suffix(".rig.toml")
+    return glb.with_suffix(".draft.rig.toml") if rig_map.exists() else rig_map
+
+
 def export(arguments):
     if arguments.out.suffix != ".glb":
         fail(f"{arguments.out}: expected a name that ends in .glb")
@@ -140,7 +146,7 @@ def export(arguments):
     draft = rig_draft.draft(title, side, nail, bones, tips, tails, names, skinned)
     print_size(skins)
     export_glb(arguments.out, arranged(armature, skins))
-    rig_map = arguments.out.with_suffix(".rig.toml")
+    rig_map = free_rig_map(arguments.out)
     rig_map.write_text(draft, encoding="utf-8")
     left = draft.count(rig_draft.FILL_IN)
     print(f"wrote {arguments.out} and {rig_map}; lines to fill in: {left}")

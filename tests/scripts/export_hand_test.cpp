@@ -71,6 +71,14 @@ void expect_same_joints_and_skin(const Hand& hand, const Hand& expected) {
   EXPECT_LT(testing::largest_difference(pose_skin(hand, fist), pose_skin(expected, fist)), 1e-5);
 }
 
+TEST_F(ExportHand, KeepsAMapThatAPersonMayHaveFilledIn) {
+  make_scene("left");
+  write_text(rig_map_beside(glb()), "filled in");
+  ASSERT_EQ(export_hand({"--nail=1,0,0"}).code, 0);
+  EXPECT_EQ(read_text(rig_map_beside(glb())), "filled in");
+  EXPECT_THAT(read_text(folder_ / "foreign.draft.rig.toml"), HasSubstr("[bones]"));
+}
+
 TEST_F(ExportHand, LeftHandInCentimetresUnderForeignNamesIsTheSameHand) {
   make_scene("left");
   // The same nail in Blender's axes, on a left hand.
