@@ -20,8 +20,8 @@ using nlohmann::json;
 constexpr std::size_t kKeyDigits = 16;
 constexpr std::string_view kExtension = ".graspdb";
 
-json to_json(const Eigen::Ref<const Eigen::MatrixXd>& values) {
-  return std::vector<double>(values.reshaped().begin(), values.reshaped().end());
+json to_json(const Eigen::MatrixXd& values) {
+  return std::vector<double>(values.data(), values.data() + values.size());
 }
 
 // "male-held-003-", whatever the inputs.
