@@ -114,14 +114,12 @@ class Maker {
   std::mutex mutex_;
 };
 
-// Joins all shards of the plan into the database.
+// Joins all shards of the plan, which are finished, into the database.
 void merge(const Plan& plan, const BuildJob& job) {
   std::vector<DatabasePart> parts;
   for (const Shard& shard : plan.shards()) {
-    const fs::path file = shard_file(work_of(job), plan, shard);
-    if (!is_finished(file)) fail_missing(file);
-    parts.push_back(
-        {file, static_cast<std::uint8_t>(shard.hand), static_cast<std::uint8_t>(shard.variant)});
+    parts.push_back({shard_file(work_of(job), plan, shard), static_cast<std::uint8_t>(shard.hand),
+                     static_cast<std::uint8_t>(shard.variant)});
   }
   join_databases(job.out, describe_plan(plan), parts);
 }
@@ -168,6 +166,10 @@ BuildReport build_database(const BuildConfig& config, const BuildJob& job) {
 BuildReport merge_shards(const BuildJob& job) {
   const auto begin = Clock::now();
   const Plan plan = make_plan(load_config(work_of(job) / kConfigName), job.threads);
+  for (const Shard& shard : plan.shards()) {
+    const fs::path file = shard_file(work_of(job), plan, shard);
+    if (!is_finished(file)) fail_missing(file);
+  }
   merge(plan, job);
   return report_of(job, begin);
 }
