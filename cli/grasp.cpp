@@ -104,7 +104,8 @@ void run_close(const Options& options) {
   fmt::print("{}\n", file.string());
 }
 
-ColorImage draw(const Options& options, const std::vector<Grasp>& grasps, const Hand& hand) {
+ColorImage draw(const Options& options, std::vector<Grasp> grasps, const Hand& hand) {
+  for (Grasp& grasp : grasps) grasp = fitted_to(hand, std::move(grasp));
   const JointAngles rest = load_rest_pose(directory_of(options));
   std::map<int, GraspPose> closed;
   for (const Grasp& grasp : grasps) closed[grasp.id] = closed_pose(grasp, hand);

@@ -55,6 +55,7 @@ diameter_mm = 50
 # shape = "mesh"                                # a closed surface
 # mesh = "mug.obj"                              # seen from this file
 # unit = "mm"                                   # or cm, m
+# scales_with_hand = true                       # sizes of a 193 mm hand; else the same on every hand
 #
 # Where its middle is in the closed hand, about: x to the little finger's side, y to the finger tips,
 # z out of the back of the hand. Seen from the middle between the thumb's contact areas and those of

@@ -62,7 +62,8 @@ std::vector<Descriptor> held_out_queries(const Database& database, int count) {
       load_hand(data_directory() / "assets/hands" / (info.hands.front().name + ".glb"));
   const Hand hand = with_visible_forearm(whole, config.visible_forearm);
   const JointAngles rest = load_rest_pose(grasp_directory());
-  const std::vector<Grasp> grasps = own_grasps(database);
+  std::vector<Grasp> grasps = own_grasps(database);
+  for (Grasp& grasp : grasps) grasp = fitted_to(whole, std::move(grasp));
   std::vector<GraspPose> closed;
   for (const Grasp& grasp : grasps) closed.push_back(closed_pose(grasp, whole));
   const HogOptions hog = hog_from_name(info.hog, database.path().string());

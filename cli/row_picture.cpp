@@ -79,7 +79,8 @@ std::optional<ColorImage> RowPicture::draw(const Estimate& estimate, int side) {
   const GraspPose pose =
       pose_at_step(*grasp, rest_, closed_of(*grasp, *hand), estimate.step, database_.info().steps);
   const bool held = database_.info().variants[database_.variant(estimate.row)] == "held";
-  const PosedScene posed = pose_scene(*hand, pose, held ? grasp->object.get() : nullptr);
+  const Grasp fitted = fitted_to(*hand, *grasp);
+  const PosedScene posed = pose_scene(*hand, pose, held ? fitted.object.get() : nullptr);
   const Camera camera = crop_camera(right_hand_rotation(estimate), posed.centre,
                                     database_.info().camera_distance, posed.hand_vertices, side);
   const ColorImage picture = tint(render(posed.scene, camera));

@@ -90,6 +90,7 @@ void refuse_collisions(const SequenceSpec& spec, const GraspPose& closed) {
 SequenceRenderer::SequenceRenderer(SequenceSpec spec)
     : spec_(std::move(spec)), closed_(close_grasp(spec_.grasp, spec_.hand)) {
   refuse_collisions(spec_, closed_);
+  spec_.grasp = fitted_to(spec_.hand, std::move(spec_.grasp));
   spec_.hand = with_visible_forearm(spec_.hand, spec_.visible_forearm);
 }
 

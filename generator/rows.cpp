@@ -40,7 +40,7 @@ Row make_row(const Plan& plan, const PosedScene& posed, std::size_t view) {
 }  // namespace
 
 void make_rows(const Plan& plan, const Shard& shard, int step, std::span<Row> rows) {
-  const Grasp& grasp = plan.grasps[shard.grasp];
+  const Grasp grasp = fitted_to(plan.hands[shard.hand], plan.grasps[shard.grasp]);
   const GraspPose pose =
       pose_at_step(grasp, plan.rest, plan.closed[shard.hand][shard.grasp], step, plan.config.steps);
   const Solid* object = plan.variant_holds[shard.variant] ? grasp.object.get() : nullptr;

@@ -132,8 +132,9 @@ void add_crossings(const CrossingDepths& here, const CrossingDepths& on_the_way,
 
 }  // namespace
 
-GraspCheck check_grasp(const Grasp& grasp, const Hand& hand, const JointAngles& rest,
+GraspCheck check_grasp(const Grasp& stated, const Hand& hand, const JointAngles& rest,
                        const GraspPose& closed) {
+  const Grasp grasp = fitted_to(hand, stated);
   const PoseMeasures measures(hand);
   GraspCheck check;
   for (int number = 1; number <= kStepCount; ++number) {

@@ -54,7 +54,15 @@ Minimum close_from(const ClosingProblem& problem, const GraspPose& from, int ite
 
 }  // namespace
 
-GraspPose close_grasp(const Grasp& grasp, const Hand& hand) {
+Grasp fitted_to(const Hand& hand, Grasp grasp) {
+  if (!grasp.object_scales) return grasp;
+  grasp.object = scaled(grasp.object, hand_length(hand.skeleton) / kReferenceHandLength);
+  grasp.object_scales = false;
+  return grasp;
+}
+
+GraspPose close_grasp(const Grasp& stated, const Hand& hand) {
+  const Grasp grasp = fitted_to(hand, stated);
   constexpr int kYieldingIterations = 20, kCoarseIterations = 60, kFineIterations = 15;
   constexpr int kCoarseStride = 3;
   constexpr double kYielding = 8e-3;  // metres: about the radius of a finger

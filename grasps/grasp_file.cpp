@@ -147,6 +147,7 @@ Eigen::Matrix3d rotation_from_axes(const TomlTable& table, const Eigen::Vector3d
 void read_object(const TomlTable& table, Grasp& grasp) {
   grasp.object_name = table.string("name");
   grasp.object = read_solid(table, grasp);
+  grasp.object_scales = table.boolean_or("scales_with_hand", false);
   const Eigen::Vector3d z = vector_or(table, "z_axis", Eigen::Vector3d::UnitZ(), kLargestMm);
   const Eigen::Vector3d any =
       std::abs(z.normalized().x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();

@@ -194,6 +194,24 @@ class Ring final : public Solid {
   Mesh mesh_;
 };
 
+class Scaled final : public Solid {
+ public:
+  Scaled(std::shared_ptr<const Solid> solid, double factor)
+      : solid_(std::move(solid)), factor_(factor), mesh_(solid_->mesh()) {
+    for (Eigen::Vector3f& vertex : mesh_.vertices) vertex *= static_cast<float>(factor);
+  }
+  double distance(const Eigen::Vector3d& point) const override {
+    return factor_ * solid_->distance(point / factor_);
+  }
+  Eigen::Vector3d half_extents() const override { return factor_ * solid_->half_extents(); }
+  const Mesh& mesh() const override { return mesh_; }
+
+ private:
+  std::shared_ptr<const Solid> solid_;
+  double factor_;
+  Mesh mesh_;
+};
+
 }  // namespace
 
 std::shared_ptr<const Solid> make_sphere(double diameter) {
@@ -214,6 +232,11 @@ std::shared_ptr<const Solid> make_box(const Eigen::Vector3d& size) {
 std::shared_ptr<const Solid> make_ring(double inner_diameter, double thickness) {
   GRASPDB_CHECK(inner_diameter > 0 && thickness > 0);
   return std::make_shared<Ring>((inner_diameter + thickness) / 2, thickness / 2);
+}
+
+std::shared_ptr<const Solid> scaled(std::shared_ptr<const Solid> solid, double factor) {
+  GRASPDB_CHECK(solid != nullptr && factor > 0);
+  return std::make_shared<Scaled>(std::move(solid), factor);
 }
 
 }  // namespace graspdb

@@ -68,6 +68,31 @@ TEST(Closing, HoldsTheMeshOfAMugWithoutPassingItsWalls) {
   EXPECT_THAT(check.missing_digits, IsEmpty());
 }
 
+TEST(FittedTo, ChangesOnlyAnObjectThatScalesWithTheHand) {
+  const Hand hand = testing::toy_hand();
+  const double share = hand_length(hand.skeleton) / kReferenceHandLength;
+  ASSERT_GT(std::abs(share - 1), 0.01);
+  Grasp grasp = load_grasp(kGrasps / "14_tripod.toml");
+  const Eigen::Vector3d stated = grasp.object->half_extents();
+  EXPECT_EQ(fitted_to(hand, grasp).object, grasp.object);
+  grasp.object_scales = true;
+  const Grasp fitted = fitted_to(hand, grasp);
+  EXPECT_TRUE(fitted.object->half_extents().isApprox(share * stated));
+  EXPECT_EQ(fitted_to(hand, fitted).object, fitted.object);
+}
+
+TEST(FittedTo, IsWhatClosingAndCheckHold) {
+  const Hand hand = testing::toy_hand();
+  Grasp stated = load_grasp(kGrasps / "14_tripod.toml");
+  stated.object_scales = true;
+  const Grasp fitted = fitted_to(hand, stated);
+  const GraspPose closed = close_grasp(stated, hand);
+  EXPECT_EQ(closed.angles, close_grasp(fitted, hand).angles);
+  const JointAngles rest = load_rest_pose(kGrasps);
+  EXPECT_EQ(check_grasp(stated, hand, rest, closed).steps[0].clearance_mm,
+            check_grasp(fitted, hand, rest, closed).steps[0].clearance_mm);
+}
+
 // The committed pose holds for this hand and this file only.
 TEST(ClosedPose, IsClosedAnewForAnotherHandOfTheSameNameAndForAnEditedFile) {
   const testing::TemporaryDirectory folder;

@@ -161,6 +161,11 @@ TEST_F(GraspFile, AMeshIsFoundFromTheFileAndScaledByItsUnit) {
   EXPECT_EQ(grasp.object_file, folder_ / "mug.obj");
 }
 
+TEST_F(GraspFile, AnObjectScalesWithTheHandOnlyWhenTheFileSaysSo) {
+  EXPECT_FALSE(load(kGood).object_scales);
+  EXPECT_TRUE(load(with_object(kCylinder + "\nscales_with_hand = true")).object_scales);
+}
+
 TEST_F(GraspFile, RefusesAMeshWithoutAFileOrAUnit) {
   const std::string mug = "shape = \"mesh\"\nmesh = \"" + kMug + "\"";
   EXPECT_THAT(refusal(kCylinder, mug), HasSubstr("object.unit"));

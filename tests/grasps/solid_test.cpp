@@ -20,7 +20,8 @@ Shapes shapes() {
           make_cylinder(0.12, 0.002),
           make_box({0.23, 0.18, 0.028}),
           make_box({0.085, 0.054, 0.001}),
-          make_ring(0.026, 0.007)};
+          make_ring(0.026, 0.007),
+          scaled(make_cylinder(0.06, 0.1), 0.7)};
 }
 
 Eigen::Vector3d corner(const Mesh& mesh, const Triangle& triangle, std::size_t i) {
@@ -67,6 +68,17 @@ TEST(Solid, RingDistances) {
   EXPECT_NEAR(ring->distance({-0.019, 0, 0.004}), 0.002, 1e-15);  // off the wire's outside
   EXPECT_NEAR(ring->distance({0, 0, 0.012}), 0.017, 1e-15);       // on the axis
   EXPECT_TRUE(ring->half_extents().isApprox(Eigen::Vector3d(0.019, 0.019, 0.003)));
+}
+
+TEST(Solid, ScaledMeasuresAsOneOfThatSize) {
+  const auto pipe = make_cylinder(0.04, 0.2), half = scaled(make_cylinder(0.08, 0.4), 0.5);
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d(0, 0, 0), {0.03, 0.04, 0.05}, {0.01, 0, 0.095}, {0, 0.023, -0.104}}) {
+    EXPECT_NEAR(half->distance(p), pipe->distance(p), 1e-15);
+  }
+  EXPECT_EQ(half->half_extents(), pipe->half_extents());
+  EXPECT_NEAR(volume(half->mesh()), volume(pipe->mesh()), 1e-9);
+  EXPECT_THROW(scaled(pipe, 0), std::logic_error);
 }
 
 TEST(Solid, MeshVerticesLieOnTheSurface) {

@@ -12,6 +12,9 @@
 
 namespace graspdb {
 
+// The grasp with its object in the size that it has in this hand.
+Grasp fitted_to(const Hand& hand, Grasp grasp);
+
 // Searches placement and angles near grasp.start. Deterministic, thread-safe. Takes seconds.
 GraspPose close_grasp(const Grasp& grasp, const Hand& hand);
 

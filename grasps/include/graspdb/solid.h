@@ -31,5 +31,7 @@ std::shared_ptr<const Solid> make_cylinder(double diameter, double length);  // 
 std::shared_ptr<const Solid> make_box(const Eigen::Vector3d& size);
 // A round wire bent into a circle; the inner diameter is that of the hole.
 std::shared_ptr<const Solid> make_ring(double inner_diameter, double thickness);
+// `factor` times as large, in all directions.
+std::shared_ptr<const Solid> scaled(std::shared_ptr<const Solid> solid, double factor);
 
 }  // namespace graspdb
