@@ -72,16 +72,6 @@ void run_check(const Options& options) {
   if (failed > 0) throw Error(fmt::format("{} of {} grasps fail", failed, grasps.size()));
 }
 
-// The poses in `file` that were closed on this very hand; none when there is no such file.
-ClosedPoses poses_of(const std::filesystem::path& file, const Hand& hand) {
-  const double length = hand_length(hand.skeleton);
-  if (std::filesystem::exists(file)) {
-    ClosedPoses closed = load_closed_poses(file);
-    if (std::abs(closed.hand_length - length) < 1e-5) return closed;
-  }
-  return {.hand = hand.name, .hand_length = length};
-}
-
 void run_close(const Options& options) {
   const std::vector<Grasp> grasps = chosen(options);
   const Hand hand = chosen_hand(options);
@@ -94,13 +84,7 @@ void run_close(const Options& options) {
     const std::lock_guard lock(mutex);
     progress(++done, grasps.size());
   });
-  const auto file = closed_poses_file(grasps.front(), hand);
-  ClosedPoses closed = poses_of(file, hand);
-  for (std::size_t i = 0; i < grasps.size(); ++i) {
-    closed.poses[grasps[i].id] = poses[i];
-    closed.grasp_hashes[grasps[i].id] = grasp_hash(grasps[i]);
-  }
-  save_closed_poses(file, closed);
+  const auto file = keep_closed_poses(grasps, hand, poses);
   fmt::print("{}\n", file.string());
 }
 

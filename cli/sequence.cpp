@@ -4,28 +4,45 @@
 #include <fmt/format.h>
 
 #include "console.h"
+#include "graspdb/closing.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
+namespace {
+
+void keep_closed(const SequenceSpec& spec) {
+  const Hand hand = sequence_hand(spec);
+  const auto file = keep_closed_poses({spec.grasp}, hand, {close_grasp(spec.grasp, hand)});
+  fmt::print("{}\n", file.string());
+}
+
+}  // namespace
 
 void add_sequence(CLI::App& app) {
   struct Options {
     std::string file, out, hand;
     NoiseOptions noise;
+    bool close = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* verb =
       app.add_subcommand("sequence", "Render an evaluation sequence with ground truth");
   verb->add_option("SEQ", options->file, "The sequence's .toml file")->required();
-  verb->add_option("--out", options->out, "The folder for frames, masks, noisy masks and truth")
-      ->required();
+  CLI::Option* out = verb->add_option("--out", options->out,
+                                      "The folder for frames, masks, noisy masks and truth");
+  CLI::Option* close =
+      verb->add_flag("--close", options->close,
+                     "Close the hand on the object anew and keep the pose beside the grasp file");
   verb->add_option("--hand", options->hand, "A rigged hand instead of the sequence's own");
   verb->add_option("--alpha", options->noise.alpha_percent,
                    "Segmentation noise: dropped hand pixels, percent")
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--seed", options->noise.seed, "Seed of the segmentation noise");
-  verb->footer("Example: graspdb sequence sequences/test/bottle.toml --alpha 0.5 --out bottle");
-  verb->callback([options] {
+  verb->footer("Example: graspdb sequence sequences/test/bottle.seq.toml --alpha 0.5 --out bottle");
+  verb->callback([options, out, close] {
+    if (out->count() + close->count() == 0) throw CLI::RequiredError("--out or --close");
+    if (options->close) keep_closed(load_sequence(options->file, options->hand));
+    if (options->out.empty()) return;
     const SequenceRenderer renderer(load_sequence(options->file, options->hand));
     write_sequence(renderer, options->out, options->noise, console_progress("rendered", "frames"));
     fmt::print("{}: {} frames\n", options->out, renderer.spec().frame_count());

@@ -6,7 +6,6 @@
 
 #include "graspdb/error.h"
 #include "graspdb/file.h"
-#include "graspdb/hand_maker.h"
 #include "graspdb/rig.h"
 #include "graspdb/text.h"
 
@@ -29,8 +28,13 @@ Intrinsics read_camera(const TomlTable& table) {
   return camera;
 }
 
-// A hand of measures that no default hand has.
-Hand read_hand(const TomlTable& table) {
+// Either a file, seen from the data directory, or measures that no default hand has.
+SequenceHand read_hand(const TomlTable& table) {
+  if (table.has("file")) {
+    const std::string file = table.string("file");
+    table.finish();
+    return {.file = data_directory() / file};
+  }
   WantedMeasures wanted;
   wanted.length_mm = table.number("length_mm", 100, 240);
   wanted.breadth_mm = table.number("breadth_mm", 36, 130);
@@ -45,33 +49,44 @@ Hand read_hand(const TomlTable& table) {
   HandShape shape = in_proportion(default_hand_shape("male"), wanted);
   shape.name = table.string("name");
   table.finish();
-  return make_hand(shape);
+  return {.shape = shape};
 }
 
-void read_look(const TomlTable& table, SequenceSpec& spec) {
-  spec.skin_bgr = vector3(table, "skin_bgr", 0, 255);
-  spec.object_bgr = vector3(table, "object_bgr", 0, 255);
-  spec.towards_light = vector3(table, "towards_light", -1, 1);
-  spec.sensor_noise = table.number("sensor_noise", 0, 50);
+// The light is the one of all keyframes that have none of their own.
+Look read_look(const TomlTable& table, Keyframe& otherwise) {
+  Look look;
+  look.skin_bgr = vector3(table, "skin_bgr", 0, 255);
+  look.object_bgr = vector3(table, "object_bgr", 0, 255);
+  look.ambient = table.number_or("ambient", look.ambient, 0, 1);
+  look.skin_mottling = table.number_or("skin_mottling", 0, 0, 0.5);
+  look.blur_px = table.number_or("blur_px", 0, 0, 10);
+  look.sensor_noise = table.number("sensor_noise", 0, 50);
+  otherwise.towards_light = vector3(table, "towards_light", -1, 1);
   table.finish();
+  return look;
 }
 
-Keyframe read_keyframe(const TomlTable& table) {
-  Keyframe key;
+Keyframe read_keyframe(const TomlTable& table, const Keyframe& otherwise) {
+  Keyframe key = otherwise;
   key.time = table.number("time_s", 0, 3600);
   key.closure = table.number("closure", 0, 1);
   key.view = vector3(table, "view_deg", -720, 720) * (kPi / 180);
   key.palm = vector3(table, "palm_mm", -5000, 5000) / 1000;
+  if (table.has("wrist_deg")) {
+    const std::vector<double> wrist = table.numbers("wrist_deg", 2, -80, 80);
+    key.wrist = Eigen::Vector2d(wrist[0], wrist[1]) * (kPi / 180);
+  }
+  if (table.has("towards_light")) key.towards_light = vector3(table, "towards_light", -1, 1);
   table.finish();
   if (key.palm.z() < 0.1)
     table.fail("palm_mm", "a palm at least 100 mm in front of the camera", "less");
   return key;
 }
 
-std::vector<Keyframe> read_keyframes(const TomlTable& table) {
+std::vector<Keyframe> read_keyframes(const TomlTable& table, const Keyframe& otherwise) {
   std::vector<Keyframe> keyframes;
   for (const TomlTable& key : table.tables("keyframe")) {
-    keyframes.push_back(read_keyframe(key));
+    keyframes.push_back(read_keyframe(key, otherwise));
     if (keyframes.size() > 1 && keyframes.back().time <= keyframes[keyframes.size() - 2].time) {
       key.fail("time_s", "a later time than the keyframe before", "an earlier one");
     }
@@ -106,14 +121,20 @@ SequenceSpec load_sequence(const std::filesystem::path& file,
   spec.visible_forearm = table.number("visible_forearm_mm", 0, 300) / 1000;
   spec.object_visible = table.boolean_or("object_visible", true);
   spec.camera = read_camera(table.table("camera"));
-  read_look(table.table("look"), spec);
-  const TomlTable hand = table.table("hand");
-  spec.hand = hand_file.empty() ? read_hand(hand) : load_hand(hand_file);
+  Keyframe otherwise;
+  spec.look = read_look(table.table("look"), otherwise);
+  spec.hand = read_hand(table.table("hand"));
+  if (!hand_file.empty()) spec.hand = {.file = hand_file};
   spec.grasp = load_grasp(file.parent_path() / table.string("grasp"));
+  if (table.has("grasp_type")) spec.grasp_type = table.integer("grasp_type", 1, 33);
   spec.rest = load_rest_pose(file.parent_path());
-  spec.keyframes = read_keyframes(table);
+  spec.keyframes = read_keyframes(table, otherwise);
   table.finish();
   return spec;
+}
+
+Hand sequence_hand(const SequenceSpec& spec) {
+  return spec.hand.file.empty() ? make_hand(spec.hand.shape) : load_hand(spec.hand.file);
 }
 
 }  // namespace graspdb

@@ -37,10 +37,11 @@ void read_numbers(const json& list, Matrix& matrix) {
   }
 }
 
-json to_json(const FrameTruth& truth, int frame) {
+json to_json(const FrameTruth& truth, std::size_t frame, double occlusion) {
   return {{"frame", frame},
           {"time_s", truth.time},
           {"closure", truth.closure},
+          {"occlusion", occlusion},
           {"camera_from_hand", numbers(truth.camera_from_hand)},
           {"wrist_m", numbers(truth.wrist)},
           {"angles", numbers(truth.angles)},
@@ -60,7 +61,8 @@ FrameTruth truth_from_json(const json& line) {
   return truth;
 }
 
-json describe_sequence(const SequenceSpec& spec, const NoiseOptions& noise) {
+json describe_sequence(const SequenceRenderer& renderer, const NoiseOptions& noise) {
+  const SequenceSpec& spec = renderer.spec();
   const Intrinsics& camera = spec.camera;
   return {{"name", spec.name},
           {"frames_per_second", spec.frames_per_second},
@@ -71,8 +73,9 @@ json describe_sequence(const SequenceSpec& spec, const NoiseOptions& noise) {
             {"fy_px", camera.fy},
             {"cx_px", camera.cx},
             {"cy_px", camera.cy}}},
-          {"hand", spec.hand.name},
+          {"hand", renderer.hand().name},
           {"grasp", spec.grasp.name},
+          {"grasp_type", spec.grasp_type ? json(*spec.grasp_type) : json()},
           {"object", spec.object_visible ? spec.grasp.object_name : "none"},
           {"noise", {{"alpha_percent", noise.alpha_percent}, {"seed", noise.seed}}}};
 }
@@ -114,6 +117,7 @@ void write_sequence(const SequenceRenderer& renderer, const std::filesystem::pat
   std::mutex mutex;
   std::size_t done = 0;
   prepare_folder(directory);
+  std::vector<double> occlusion(count);
   parallel_for(count, 0, [&](std::size_t i) {
     const SequenceFrame frame = renderer.render(static_cast<int>(i));
     const std::string name = fmt::format("{:06}.png", i);
@@ -121,15 +125,16 @@ void write_sequence(const SequenceRenderer& renderer, const std::filesystem::pat
     write_png(directory / "masks" / name, frame.hand);
     write_png(directory / "noisy" / name,
               add_segmentation_noise(frame.hand, noise.alpha_percent, noise.seed, i));
+    occlusion[i] = frame.occlusion;
     const std::lock_guard lock(mutex);
     if (progress) progress(++done, count);
   });
   std::string lines;
   for (std::size_t i = 0; i < count; ++i) {
-    lines += to_json(renderer.truth(static_cast<int>(i)), static_cast<int>(i)).dump() + "\n";
+    lines += to_json(renderer.truth(static_cast<int>(i)), i, occlusion[i]).dump() + "\n";
   }
   write_text(directory / "truth.jsonl", lines);
-  write_text(directory / "sequence.json", describe_sequence(renderer.spec(), noise).dump(1) + "\n");
+  write_text(directory / "sequence.json", describe_sequence(renderer, noise).dump(1) + "\n");
 }
 
 WrittenSequence read_sequence(const std::filesystem::path& directory) {

@@ -32,6 +32,11 @@ GraspPose read_pose(const TomlTable& table) {
   return pose;
 }
 
+bool is_of(const ClosedPoses& closed, const Hand& hand) {
+  constexpr double kSameLength = 1e-5;  // metres
+  return std::abs(closed.hand_length - hand_length(hand.skeleton)) < kSameLength;
+}
+
 }  // namespace
 
 ClosedPoses load_closed_poses(const std::filesystem::path& path) {
@@ -77,15 +82,30 @@ std::string grasp_hash(const Grasp& grasp) {
   return hash_hex(bytes);
 }
 
+std::filesystem::path keep_closed_poses(const std::vector<Grasp>& grasps, const Hand& hand,
+                                        const std::vector<GraspPose>& poses) {
+  GRASPDB_CHECK(!grasps.empty() && grasps.size() == poses.size());
+  const std::filesystem::path file = closed_poses_file(grasps.front(), hand);
+  ClosedPoses closed;
+  if (std::filesystem::exists(file)) closed = load_closed_poses(file);
+  if (!is_of(closed, hand)) {
+    closed = {.hand = hand.name, .hand_length = hand_length(hand.skeleton)};
+  }
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    closed.poses[grasps[i].id] = poses[i];
+    closed.grasp_hashes[grasps[i].id] = grasp_hash(grasps[i]);
+  }
+  save_closed_poses(file, closed);
+  return file;
+}
+
 GraspPose closed_pose(const Grasp& grasp, const Hand& hand) {
-  constexpr double kSameLength = 1e-5;  // metres
   const std::filesystem::path file = closed_poses_file(grasp, hand);
   if (!std::filesystem::exists(file)) return close_grasp(grasp, hand);
   const ClosedPoses closed = load_closed_poses(file);
   const auto hash = closed.grasp_hashes.find(grasp.id);
-  const bool same_hand = std::abs(closed.hand_length - hand_length(hand.skeleton)) < kSameLength;
   const bool same_grasp = hash != closed.grasp_hashes.end() && hash->second == grasp_hash(grasp);
-  return same_hand && same_grasp ? closed.poses.at(grasp.id) : close_grasp(grasp, hand);
+  return is_of(closed, hand) && same_grasp ? closed.poses.at(grasp.id) : close_grasp(grasp, hand);
 }
 
 }  // namespace graspdb

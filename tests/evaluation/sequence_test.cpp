@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
+#include "graspdb/closing.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/image_io.h"
+#include "graspdb/rig.h"
 #include "graspdb/text.h"
 #include "support/temporary_directory.h"
 
@@ -19,9 +21,27 @@ using ::testing::HasSubstr;
 const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
 const std::filesystem::path kHand = kSource / "assets/hands/male.glb";
 
-// The bottle of the test set with the male hand, small and short.
+// A folder with the bottle of the test set, closed on the male hand once for all tests.
+class Bottle {
+ public:
+  Bottle() {
+    for (const char* file : {"bottle.seq.toml", "bottle.grasp.toml", "rest.toml"}) {
+      std::filesystem::copy_file(kSource / "sequences/test" / file, folder_ / file);
+    }
+    const Grasp grasp = load_grasp(folder_ / "bottle.grasp.toml");
+    const Hand hand = load_hand(kHand);
+    keep_closed_poses({grasp}, hand, {close_grasp(grasp, hand)});
+  }
+  std::filesystem::path file() const { return folder_ / "bottle.seq.toml"; }
+
+ private:
+  testing::TemporaryDirectory folder_;
+};
+
+// Small and short.
 SequenceSpec short_spec() {
-  SequenceSpec spec = load_sequence(kSource / "sequences/test/bottle.seq.toml", kHand);
+  static const Bottle bottle;
+  SequenceSpec spec = load_sequence(bottle.file(), kHand);
   spec.camera = {.width = 160, .height = 120, .fx = 150, .fy = 150, .cx = 79.5, .cy = 59.5};
   spec.keyframes = {
       {.time = 0, .closure = 0, .view = {0, 0, 0}, .palm = {0, 0, 0.5}},
@@ -111,6 +131,72 @@ TEST_F(ShortSequence, PicturesOfALongerOneBeforeAreRemoved) {
   EXPECT_TRUE(std::filesystem::exists(foreign));
 }
 
+TEST_F(ShortSequence, TheObjectHidesTheShareOfTheHandThatItIsInFrontOf) {
+  SequenceSpec palm = short_spec();
+  for (Keyframe& key : palm.keyframes)
+    key.view = {kPi, 0, 0};  // the object between palm and camera
+  const SequenceRenderer from_palm(palm);
+  EXPECT_LT(renderer_->render(4).occlusion, 0.1);  // from behind the hand
+  EXPECT_GT(from_palm.render(4).occlusion, 0.25);
+  palm.object_visible = false;
+  EXPECT_EQ(SequenceRenderer(palm).render(4).occlusion, 0);
+}
+
+TEST_F(ShortSequence, TheWristMovesByWhatKeyframesAddWithinItsRange) {
+  SequenceSpec spec = short_spec();
+  spec.keyframes[1].wrist = {radians(20), radians(-90)};
+  const SequenceRenderer moved(spec);
+  const JointAngles before = renderer_->truth(4).angles, after = moved.truth(4).angles;
+  EXPECT_NEAR(degrees(after[kWristFlexion] - before[kWristFlexion]), 20, 1e-9);
+  EXPECT_NEAR(degrees(after[kWristDeviation]), -35, 1e-9);
+  EXPECT_EQ(after.tail<26>(), before.tail<26>());
+  const double half =
+      degrees(moved.truth(2).angles[kWristFlexion] - renderer_->truth(2).angles[kWristFlexion]);
+  EXPECT_NEAR(half, 10, 1e-9);
+}
+
+double mean_level(const SequenceFrame& frame) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < frame.hand.size(); ++i) {
+    if (frame.hand.data()[i] == 0) continue;
+    sum += frame.color.data()[i][2];
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST_F(ShortSequence, LightMovesWithTheKeyframes) {
+  SequenceSpec spec = short_spec();
+  spec.look.ambient = 0.1;
+  spec.keyframes[1].towards_light = {0, 0, 1};  // from behind the hand
+  const SequenceRenderer lit(spec);
+  EXPECT_LT(mean_level(lit.render(4)), 0.5 * mean_level(lit.render(0)));
+}
+
+// How unlike neighbouring pixels are within the hand.
+double roughness(const SequenceFrame& frame) {
+  double sum = 0, count = 0;
+  for (int y = 0; y < frame.hand.height(); ++y) {
+    for (int x = 1; x < frame.hand.width(); ++x) {
+      if (frame.hand.at(x, y) == 0 || frame.hand.at(x - 1, y) == 0) continue;
+      sum += std::abs(int{frame.color.at(x, y)[2]} - int{frame.color.at(x - 1, y)[2]});
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+TEST_F(ShortSequence, BlurSmoothsAndMottlingRoughensTheSkin) {
+  SequenceSpec spec = short_spec();
+  spec.look.sensor_noise = 0;
+  const double plain = roughness(SequenceRenderer(spec).render(0));
+  spec.look.skin_mottling = 0.2;
+  const double mottled = roughness(SequenceRenderer(spec).render(0));
+  spec.look.blur_px = 2;
+  EXPECT_GT(mottled, 1.1 * plain);
+  EXPECT_LT(roughness(SequenceRenderer(spec).render(0)), 0.8 * mottled);
+}
+
 TEST(Sequence, AnObjectThatCollidesIsRefused) {
   SequenceSpec spec = short_spec();
   spec.grasp.object =
@@ -139,6 +225,9 @@ TEST(Sequence, BrokenFilesAreNamed) {
     std::filesystem::copy_file(kSource / "sequences/test" / file, directory / file);
   }
   EXPECT_EQ(message(good), "no error");
+  EXPECT_EQ(message(good + "wrist_deg = [10, -5]\ntowards_light = [0, 0, -1]\n"), "no error");
+  EXPECT_THAT(message(good + "wrist_deg = [10]\n"), HasSubstr("wrist_deg"));
+  EXPECT_THAT(message("grasp_type = 34\n" + good), HasSubstr("grasp_type"));
   EXPECT_THAT(message("colour = 'red'\n" + good), HasSubstr("colour"));
   EXPECT_THAT(message(good.substr(0, good.find("[[keyframe]]"))), HasSubstr("keyframe"));
 }

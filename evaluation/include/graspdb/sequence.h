@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "graspdb/camera.h"
 #include "graspdb/grasp.h"
 #include "graspdb/hand.h"
+#include "graspdb/hand_maker.h"
 #include "graspdb/image.h"
 #include "graspdb/progress.h"
 #include "graspdb/skeleton.h"
@@ -25,6 +27,24 @@ struct Keyframe {
   Eigen::Vector3d view =
       Eigen::Vector3d::Zero();  // yaw, pitch, roll, radians: see camera_from_view
   Eigen::Vector3d palm = Eigen::Vector3d::Zero();  // the palm centre in the camera frame, metres
+  // Added to the wrist's flexion and deviation as the grasp has them, radians.
+  Eigen::Vector2d wrist = Eigen::Vector2d::Zero();
+  Eigen::Vector3d towards_light{0, -0.3, -1};  // camera frame
+};
+
+// How things look, whatever their pose.
+struct Look {
+  Eigen::Vector3d skin_bgr, object_bgr;  // 0..255, where shading is 1
+  double ambient = 0.35;                 // the share of light that has no direction
+  double skin_mottling = 0;              // how much the skin's albedo varies from place to place
+  double blur_px = 0;                    // standard deviation of the lens's blur
+  double sensor_noise = 2;               // standard deviation, grey levels
+};
+
+// A hand that is made from measures, or one of a file.
+struct SequenceHand {
+  std::filesystem::path file;  // empty: made
+  HandShape shape;
 };
 
 // A sequence as its text file states it (docs/sequences.md).
@@ -34,13 +54,12 @@ struct SequenceSpec {
   std::uint64_t seed = 0;
   double frames_per_second = 10;
   Intrinsics camera;
-  double visible_forearm = 0.1;                // metres
-  double sensor_noise = 2;                     // standard deviation, grey levels
-  Eigen::Vector3d towards_light{0, -0.3, -1};  // camera frame
-  Eigen::Vector3d skin_bgr, object_bgr;        // 0..255
-  Hand hand;
+  double visible_forearm = 0.1;  // metres
+  Look look;
+  SequenceHand hand;
   Grasp grasp;
-  bool object_visible = true;  // false: the same motion with an empty hand
+  std::optional<int> grasp_type;  // Feix's number of what the grasp is, if it is one of them
+  bool object_visible = true;     // false: the same motion with an empty hand
   JointAngles rest;
   std::vector<Keyframe> keyframes;
 
@@ -51,7 +70,7 @@ struct SequenceSpec {
 // the camera's y, pitch about its x, roll about its z.
 Eigen::Matrix3d camera_from_view(const Eigen::Vector3d& yaw_pitch_roll);
 
-// Reads the sequence, the hand and the grasp that it names. `hand_file` replaces the sequence's own
+// Reads the sequence and the grasp that it names. `hand_file` replaces the sequence's own
 // hand when not empty. Throws Error naming file and key.
 SequenceSpec load_sequence(const std::filesystem::path& file,
                            const std::filesystem::path& hand_file = {});
@@ -67,27 +86,34 @@ struct FrameTruth {
 
 struct SequenceFrame {
   ColorImage color;
-  Mask hand;    // visible
-  Mask object;  // visible
+  Mask hand;             // visible
+  Mask object;           // visible
+  double occlusion = 0;  // the share of the hand's pixels that the object hides
   FrameTruth truth;
 };
 
 // Renders single frames, in any order. Thread-safe.
 class SequenceRenderer {
  public:
-  // Closes the hand on the sequence's object. Throws Error when the object collides with the hand.
+  // Makes or loads the hand and closes it on the object (closed_pose()). Throws Error when the
+  // object collides with the hand.
   explicit SequenceRenderer(SequenceSpec spec);
 
   const SequenceSpec& spec() const { return spec_; }
+  const Hand& hand() const { return hand_; }  // with the forearm that is visible
   FrameTruth truth(int frame) const;
   SequenceFrame render(int frame) const;
 
  private:
-  GraspPose pose(double closure) const;
+  GraspPose pose(const Keyframe& key) const;
 
   SequenceSpec spec_;
+  Hand hand_;
   GraspPose closed_;
 };
+
+// The sequence's hand, with all of its forearm. Throws Error for a file that is not there.
+Hand sequence_hand(const SequenceSpec& spec);
 
 struct NoiseOptions {
   double alpha_percent = 0;

@@ -58,6 +58,10 @@ struct ClosedPoses {
 ClosedPoses load_closed_poses(const std::filesystem::path& file);
 void save_closed_poses(const std::filesystem::path& file, const ClosedPoses& closed);
 std::filesystem::path closed_poses_file(const Grasp& grasp, const Hand& hand);
+// Adds one pose a grasp to the file that lies beside the first one, in the place of those of a hand
+// of another length. Gives the file's name.
+std::filesystem::path keep_closed_poses(const std::vector<Grasp>& grasps, const Hand& hand,
+                                        const std::vector<GraspPose>& poses);
 
 // Of the grasp file, and of its object's mesh file, as they are now.
 std::string grasp_hash(const Grasp& grasp);
