@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Feeds altered files to the readers of databases, grasp files and rig maps, with the sanitizers on.
-#   scripts/fuzz.sh [SECONDS]   for each reader; 30 when absent
-# What a run has learned stays in build/fuzz/corpus; an input that breaks a reader ends the script
-# and stays in build/fuzz/findings.
+#   scripts/fuzz.sh [SECONDS] [--keep]   for each reader; 30 seconds when absent
+# It starts from what earlier runs have learned (tests/fuzz/corpus). An input that breaks a reader
+# ends the script and stays in build/fuzz/findings. --keep stores what this run has learned, as few
+# inputs as reach the same code.
 set -euo pipefail
 seconds=${1:-30}
-[[ $seconds =~ ^[1-9][0-9]*$ ]] || {
-    echo "fuzz.sh: $seconds: no number of seconds" >&2
+keep=${2:-}
+[[ $seconds =~ ^[1-9][0-9]*$ && $keep =~ ^(--keep)?$ ]] || {
+    echo "fuzz.sh: $*: expected [SECONDS] [--keep]" >&2
     exit 2
 }
 cd "$(dirname "$0")/.."
@@ -16,16 +18,33 @@ scripts/install.sh clang libclang-rt-14-dev # of no use to anything else
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz
 
-# fuzz NAME SEEDS ...: NAME_fuzz, from good files of the repository.
+# run_fuzzer NAME OPTION ...
+run_fuzzer() {
+    local name=$1
+    shift
+    "build/fuzz/tests/fuzz/${name}_fuzz" -timeout=10 -verbosity=0 \
+        -artifact_prefix="build/fuzz/findings/$name-" "$@" |&
+        sed '/^###### Recommended/,/^###### End/d' # pages that nobody reads
+}
+
+keep() {
+    local name=$1 least=build/fuzz/least/$1
+    rm -rf "$least" && mkdir -p "$least"
+    run_fuzzer "$name" -set_cover_merge=1 "$least" "build/fuzz/corpus/$name" >/dev/null
+    (cd "$least" && find . -type f -printf '%P\n' | sort |
+        xargs python3 -m tarfile -c "$OLDPWD/tests/fuzz/corpus/$name.tar.xz")
+}
+
+# fuzz NAME SEEDS ...: NAME_fuzz, from good files of the repository and what is known.
 fuzz() {
     local name=$1 corpus=build/fuzz/corpus/$1
     shift
     mkdir -p "$corpus" build/fuzz/findings
+    python3 -m tarfile -e "tests/fuzz/corpus/$name.tar.xz" "$corpus"
     cp -- "$@" "$corpus"
     echo "== $name, $seconds s"
-    "build/fuzz/tests/fuzz/${name}_fuzz" -max_total_time="$seconds" -timeout=10 -print_final_stats=1 \
-        -print_funcs=0 -verbosity=0 -artifact_prefix="build/fuzz/findings/$name-" "$corpus" |&
-        sed '/^###### Recommended/,/^###### End/d' # pages that nobody reads
+    run_fuzzer "$name" -max_total_time="$seconds" -print_final_stats=1 -print_funcs=0 "$corpus"
+    [ -z "$keep" ] || keep "$name"
 }
 fuzz database tests/database/golden/*.graspdb
 fuzz grasp grasps/*.toml

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs every test: Release first, then again with the address
-# and undefined-behaviour sanitizers.
+# and undefined-behaviour sanitizers. At the end each reader of files is fuzzed for some seconds.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,3 +14,4 @@ for preset in release asan; do
     cmake --build --preset "$preset" --target all all_verify_interface_header_sets
     ctest --preset "$preset" -j "$(nproc)"
 done
+scripts/fuzz.sh 10
