@@ -49,17 +49,16 @@ class Maker {
   void run() {
     if (job_.progress && done_rows_ > 0) job_.progress(done_rows_, total_rows());
     const auto steps = static_cast<std::size_t>(plan_.config.steps);
-    try {
-      parallel_for(making_.size() * steps, job_.threads, [&](std::size_t i) {
-        make_step(*making_[i / steps], static_cast<int>(i % steps) + 1);
-      });
-    } catch (const Error& error) {
-      throw Error(fmt::format("{}; {} of {} shards are finished in {}: the same command goes on",
-                              error.what(), shard_count_ - unfinished_, shard_count_,
-                              work_.string()));
-    }
+    parallel_for(making_.size() * steps, job_.threads, [&](std::size_t i) {
+      make_step(*making_[i / steps], static_cast<int>(i % steps) + 1);
+    });
   }
 
+  // What to do after a fault.
+  std::string advice() const {
+    return fmt::format("{} of {} shards are finished in {}: the same command goes on",
+                       shard_count_ - unfinished_, shard_count_, work_.string());
+  }
   std::size_t total_rows() const { return shard_count_ * plan_.rows_per_shard(); }
   std::size_t rendered_rows() const { return making_.size() * plan_.rows_per_shard(); }
 
@@ -150,10 +149,14 @@ BuildReport build_database(const BuildConfig& config, const BuildJob& job) {
   const Plan plan = make_plan(config, job.threads);
   prepare(plan, job);
   Maker maker(plan, job);
-  maker.run();
+  try {
+    maker.run();
+    if (job.shards == 1) merge(plan, job);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}; {}", error.what(), maker.advice()));
+  }
   BuildReport report;
   if (job.shards == 1) {
-    merge(plan, job);
     report = report_of(job, begin);
   } else {
     report.rows = maker.total_rows();
