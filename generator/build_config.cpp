@@ -141,6 +141,19 @@ BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
   return config;
 }
 
+// A database stores every option: one that is gone was not left to its default.
+void require_keys(const json& found, const json& expected, const std::string& name,
+                  const std::string& file) {
+  for (const auto& [key, value] : expected.items()) {
+    if (!found.contains(key)) {
+      throw Error({file, name + "." + key, "an option that every database has", "none"});
+    }
+    if (key == "light" && found[key].is_object()) {
+      require_keys(found[key], value, name + "." + key, file);
+    }
+  }
+}
+
 // The JSON that a database stores, or that a file is; none for a TOML file.
 std::optional<std::string> stored_json(const fs::path& path) {
   if (path.extension() == ".json") return read_text(path);
@@ -193,8 +206,11 @@ BuildConfig load_config(const fs::path& path) {
   const fs::path beside = fs::absolute(path).parent_path();
   const std::optional<std::string> stored = stored_json(path);
   if (!stored) return read_config(TomlTable::load(path), beside);
-  const std::string toml = toml_document(parse_object(*stored, path.string()));
-  return read_config(TomlTable::parse(toml, path.string()), beside);
+  const json root = parse_object(*stored, path.string());
+  const std::string toml = toml_document(root);
+  BuildConfig config = read_config(TomlTable::parse(toml, path.string()), beside);
+  require_keys(root, json::parse(config_to_json(BuildConfig{})), "config", path.string());
+  return config;
 }
 
 }  // namespace graspdb

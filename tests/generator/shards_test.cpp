@@ -287,6 +287,20 @@ TEST_F(Shards, AConfigurationThatIsNoneIsRefused) {
   EXPECT_THAT(refusal_of(R"({"steps\n": 5})"), HasSubstr("unknown key"));
 }
 
+TEST_F(Shards, AStoredConfigurationThatLacksAnOptionIsRefused) {
+  const auto without = [&](const std::string& text) {
+    std::string json = config_to_json(config_);
+    const std::size_t at = json.find(text);
+    EXPECT_NE(at, std::string::npos) << text;
+    write_text(directory_ / "less.json", json.erase(at, text.size()));
+    return refusal([&] { load_config(directory_ / "less.json"); });
+  };
+  EXPECT_THAT(without("\"steps\":2,"), HasSubstr("less.json: 'config.steps'"));
+  EXPECT_THAT(without(",\"views\":12"), HasSubstr("less.json: 'config.views'"));
+  EXPECT_THAT(without("\"ambient\":0.35,"), HasSubstr("less.json: 'config.light.ambient'"));
+  EXPECT_EQ(without(""), "no error");
+}
+
 TEST_F(Shards, OfTwoHandsWithOneNameAreRefused) {
   fs::create_directory(directory_ / "other");
   for (const char* file : {"male.glb", "male.rig.toml"}) {

@@ -41,8 +41,8 @@ void check_config(const BuildConfig& config);
 // there, so that the text means the same on another machine.
 std::string config_to_json(const BuildConfig& config);
 
-// A configuration from a database, a .json file (both hold the JSON above) or a TOML file with the
-// same keys; an absent key means its default. Throws Error naming file and key.
+// A configuration from a database, a .json file (both hold the whole JSON above) or a TOML file
+// with the same keys, where an absent one means its default. Throws Error naming file and key.
 BuildConfig load_config(const std::filesystem::path& path);
 
 }  // namespace graspdb
