@@ -140,7 +140,7 @@ DatabaseInfo describe_plan(const Plan& plan) {
   info.steps = plan.config.steps;
   info.views = plan.config.views;
   info.camera_distance = plan.config.distance;
-  info.view_rule = "super-fibonacci";
+  info.view_rule = kViewRule;
   info.hog = hog_name(plan.config.hog);
   info.tool = "graspdb " GRASPDB_VERSION;
   info.processor = processor_kind();
