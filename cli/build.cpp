@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <csignal>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "console.h"
@@ -139,9 +140,36 @@ class RowOptions {
         ->check(CLI::Range(0.2, 5.0));
     add_forearm();
     add_hog();
+    add_jitters();
   }
 
  private:
+  template <typename T>
+  void add_jitter(const char* name, T Jitter::*member, const char* text, T low, T high) {
+    Jitter& given = options_.given.jitter;
+    CLI::Option* option =
+        verb_.add_option(name, given.*member, text)->check(CLI::Range(low, high))->group("Jitter");
+    options_.override.emplace_back([option, member, &given](BuildConfig& config) {
+      if (option->count() > 0) config.jitter.*member = given.*member;
+    });
+  }
+
+  void add_jitters() {
+    add_jitter("--jitter-angles", &Jitter::angles_deg,
+               "Joint angles of the digits, up to so many degrees either way", 0.0, 30.0);
+    add_jitter("--jitter-wrist", &Jitter::wrist_deg, "Wrist flexion and deviation, degrees", 0.0,
+               30.0);
+    add_jitter("--jitter-object-size", &Jitter::object_size_percent,
+               "The object's size, percent; closes the hand on it again", 0.0, 30.0);
+    add_jitter("--jitter-forearm", &Jitter::visible_forearm_mm, "Visible forearm, mm", 0.0, 200.0);
+    add_jitter("--jitter-light", &Jitter::light_deg,
+               "The light's direction, degrees, another one each view", 0.0, 90.0);
+    add_jitter("--jitter-seed", &Jitter::seed, "Of all that is drawn", 0,
+               std::numeric_limits<int>::max());
+    add_jitter("--jitter-copies", &Jitter::copies,
+               "Differently drawn copies: variants held, held 2, ...", 1, 100);
+  }
+
   template <typename T>
   CLI::Option* add(const char* name, T BuildConfig::*member, const char* text) {
     CLI::Option* option = verb_.add_option(name, options_.given.*member, text);

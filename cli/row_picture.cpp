@@ -78,7 +78,8 @@ std::optional<ColorImage> RowPicture::draw(const Estimate& estimate, int side) {
   if (hand == nullptr || grasp == nullptr) return std::nullopt;
   const GraspPose pose =
       pose_at_step(*grasp, rest_, closed_of(*grasp, *hand), estimate.step, database_.info().steps);
-  const bool held = database_.info().variants[database_.variant(estimate.row)] == "held";
+  const std::string& variant = database_.info().variants[database_.variant(estimate.row)];
+  const bool held = variant.starts_with("held");
   const Grasp fitted = fitted_to(*hand, *grasp);
   const PosedScene posed = pose_scene(*hand, pose, held ? fitted.object.get() : nullptr);
   const Camera camera = crop_camera(right_hand_rotation(estimate), posed.centre,

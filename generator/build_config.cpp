@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -21,6 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+constexpr Jitter kLargestJitter{.angles_deg = 30,
+                                .wrist_deg = 30,
+                                .object_size_percent = 30,
+                                .visible_forearm_mm = 200,
+                                .light_deg = 90,
+                                .seed = std::numeric_limits<int>::max(),
+                                .copies = 100};
 constexpr std::array<std::string_view, 3> kObjectsNames = {"held", "free", "both"};
 
 void check_range(const char* name, double value, double low, double high) {
@@ -100,6 +108,42 @@ Light read_light(const TomlTable& table) {
   return light;
 }
 
+Jitter read_jitter(const TomlTable& table) {
+  const Jitter jitter{.angles_deg = table.number_or("angles_deg", 0, 0, kLargestJitter.angles_deg),
+                      .wrist_deg = table.number_or("wrist_deg", 0, 0, kLargestJitter.wrist_deg),
+                      .object_size_percent = table.number_or("object_size_percent", 0, 0,
+                                                             kLargestJitter.object_size_percent),
+                      .visible_forearm_mm = table.number_or("visible_forearm_mm", 0, 0,
+                                                            kLargestJitter.visible_forearm_mm),
+                      .light_deg = table.number_or("light_deg", 0, 0, kLargestJitter.light_deg),
+                      .seed = table.integer_or("seed", 0, 0, kLargestJitter.seed),
+                      .copies = table.integer_or("copies", 1, 1, kLargestJitter.copies)};
+  table.finish();
+  return jitter;
+}
+
+json to_json(const Jitter& jitter) {
+  return {{"angles_deg", jitter.angles_deg},
+          {"wrist_deg", jitter.wrist_deg},
+          {"object_size_percent", jitter.object_size_percent},
+          {"visible_forearm_mm", jitter.visible_forearm_mm},
+          {"light_deg", jitter.light_deg},
+          {"seed", jitter.seed},
+          {"copies", jitter.copies}};
+}
+
+void check_jitter(const Jitter& jitter) {
+  const Jitter& largest = kLargestJitter;
+  check_range("jitter angles, degrees", jitter.angles_deg, 0, largest.angles_deg);
+  check_range("jitter wrist, degrees", jitter.wrist_deg, 0, largest.wrist_deg);
+  check_range("jitter object size, %", jitter.object_size_percent, 0, largest.object_size_percent);
+  check_range("jitter forearm, mm", jitter.visible_forearm_mm, 0, largest.visible_forearm_mm);
+  check_range("jitter light, degrees", jitter.light_deg, 0, largest.light_deg);
+  check_range("jitter seed", jitter.seed, 0, largest.seed);
+  check_range("jitter copies, which differ only by jitter", jitter.copies, 1,
+              jitter.is_on() ? largest.copies : 1);
+}
+
 std::map<int, std::string> read_grasp_hashes(const TomlTable& table) {
   std::map<int, std::string> hashes;
   for (const std::string& key : table.keys()) {
@@ -132,6 +176,7 @@ BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
   config.distance = table.number_or("distance_m", config.distance, 0.2, 5);
   config.visible_forearm = table.number_or("visible_forearm_m", config.visible_forearm, 0, 0.3);
   if (const auto light = table.table_if_any("light")) config.light = read_light(*light);
+  if (const auto jitter = table.table_if_any("jitter")) config.jitter = read_jitter(*jitter);
   config.hog = hog_from_name(table.string_or("hog", hog_name(config.hog)), table.file());
   if (table.has("hand_hashes")) config.hand_hashes = table.strings("hand_hashes");
   if (const auto hashes = table.table_if_any("grasp_hashes")) {
@@ -148,9 +193,7 @@ void require_keys(const json& found, const json& expected, const std::string& na
     if (!found.contains(key)) {
       throw Error({file, name + "." + key, "an option that every database has", "none"});
     }
-    if (key == "light" && found[key].is_object()) {
-      require_keys(found[key], value, name + "." + key, file);
-    }
+    if (found[key].is_object()) require_keys(found[key], value, name + "." + key, file);
   }
 }
 
@@ -167,6 +210,11 @@ std::optional<std::string> stored_json(const fs::path& path) {
 
 }  // namespace
 
+bool Jitter::is_on() const {
+  return angles_deg > 0 || wrist_deg > 0 || object_size_percent > 0 || visible_forearm_mm > 0 ||
+         light_deg > 0;
+}
+
 void check_config(const BuildConfig& config) {
   check_range("steps", config.steps, 1, 20);
   check_range("views", config.views, 1, 100000);
@@ -174,8 +222,10 @@ void check_config(const BuildConfig& config) {
   check_range("distance", config.distance, 0.2, 5);
   // From the palm's centre to the wrist and the camera's near side: it must not stand in the arm.
   constexpr double kClearance = 0.1;
-  check_range("visible forearm", config.visible_forearm, 0,
-              std::min(0.3, config.distance - kClearance));
+  check_jitter(config.jitter);
+  check_range(
+      "visible forearm", config.visible_forearm, 0,
+      std::min(0.3, config.distance - kClearance) - config.jitter.visible_forearm_mm / 1000);
 }
 
 std::string config_to_json(const BuildConfig& config) {
@@ -183,23 +233,25 @@ std::string config_to_json(const BuildConfig& config) {
   for (const fs::path& hand : config.hands) hands.push_back(portable(hand));
   for (const auto& [id, hash] : config.grasp_hashes) hashes[std::to_string(id)] = hash;
   const Eigen::Vector3d& towards = config.light.towards_light_in_camera;
-  return json{{"hands", std::move(hands)},
-              {"grasps", portable(config.grasps)},
-              {"only", config.only},
-              {"objects", kObjectsNames[static_cast<std::size_t>(config.objects)]},
-              {"steps", config.steps},
-              {"views", config.views},
-              {"resolution_px", config.resolution},
-              {"distance_m", config.distance},
-              {"visible_forearm_m", config.visible_forearm},
-              {"light",
-               {{"ambient", config.light.ambient},
-                {"diffuse", config.light.diffuse},
-                {"towards_light_in_camera", {towards.x(), towards.y(), towards.z()}}}},
-              {"hog", hog_name(config.hog)},
-              {"hand_hashes", config.hand_hashes},
-              {"grasp_hashes", std::move(hashes)}}
-      .dump();
+  json root{{"hands", std::move(hands)},
+            {"grasps", portable(config.grasps)},
+            {"only", config.only},
+            {"objects", kObjectsNames[static_cast<std::size_t>(config.objects)]},
+            {"steps", config.steps},
+            {"views", config.views},
+            {"resolution_px", config.resolution},
+            {"distance_m", config.distance},
+            {"visible_forearm_m", config.visible_forearm},
+            {"light",
+             {{"ambient", config.light.ambient},
+              {"diffuse", config.light.diffuse},
+              {"towards_light_in_camera", {towards.x(), towards.y(), towards.z()}}}},
+            {"hog", hog_name(config.hog)},
+            {"hand_hashes", config.hand_hashes},
+            {"grasp_hashes", std::move(hashes)}};
+  // Without it the text is that of databases from before there was any.
+  if (config.jitter.is_on()) root["jitter"] = to_json(config.jitter);
+  return root.dump();
 }
 
 BuildConfig load_config(const fs::path& path) {
@@ -209,7 +261,8 @@ BuildConfig load_config(const fs::path& path) {
   const json root = parse_object(*stored, path.string());
   const std::string toml = toml_document(root);
   BuildConfig config = read_config(TomlTable::parse(toml, path.string()), beside);
-  require_keys(root, json::parse(config_to_json(BuildConfig{})), "config", path.string());
+  const BuildConfig whole{.jitter = {.light_deg = root.contains("jitter") ? 1.0 : 0.0}};
+  require_keys(root, json::parse(config_to_json(whole)), "config", path.string());
   return config;
 }
 

@@ -10,7 +10,6 @@
 #include "graspdb/file.h"
 #include "graspdb/hash.h"
 #include "graspdb/parallel.h"
-#include "graspdb/posed_scene.h"
 #include "graspdb/rig.h"
 #include "graspdb/views.h"
 
@@ -50,17 +49,13 @@ void check_names(const std::vector<std::filesystem::path>& hands) {
   }
 }
 
-std::vector<bool> variants_of(Objects objects) {
-  switch (objects) {
-    case Objects::kHeld:
-      return {true};
-    case Objects::kFree:
-      return {false};
-    case Objects::kBoth:
-      return {true, false};
+std::vector<Variant> variants_of(const BuildConfig& config) {
+  std::vector<Variant> variants;
+  for (int copy = 1; copy <= config.jitter.copies; ++copy) {
+    if (config.objects != Objects::kFree) variants.push_back({.holds = true, .copy = copy});
+    if (config.objects != Objects::kHeld) variants.push_back({.holds = false, .copy = copy});
   }
-  GRASPDB_CHECK(false);
-  return {};
+  return variants;
 }
 
 // The renderer chooses its instructions by the processor; other ones may round differently.
@@ -101,6 +96,11 @@ void settle_hashes(const std::vector<Grasp>& grasps, BuildConfig& config) {
 
 }  // namespace
 
+std::string Variant::name() const {
+  const std::string kind = holds ? "held" : "free";
+  return copy == 1 ? kind : fmt::format("{} {}", kind, copy);
+}
+
 Plan make_plan(const BuildConfig& config, int threads) {
   check_config(config);
   check_names(config.hands);
@@ -109,13 +109,12 @@ Plan make_plan(const BuildConfig& config, int threads) {
   settle_hashes(plan.grasps, plan.config);
   plan.rest = load_rest_pose(config.grasps);
   for (const auto& file : config.hands) {
-    const Hand hand = load_hand(file);
+    const Hand& hand = plan.hands.emplace_back(load_hand(file));
     std::vector<GraspPose>& closed = plan.closed.emplace_back(plan.grasps.size());
     parallel_for(closed.size(), threads,
                  [&](std::size_t i) { closed[i] = closed_pose(plan.grasps[i], hand); });
-    plan.hands.push_back(with_visible_forearm(hand, config.visible_forearm));
   }
-  plan.variant_holds = variants_of(config.objects);
+  plan.variants = variants_of(config);
   plan.views = view_rotations(config.views);
   return plan;
 }
@@ -123,7 +122,7 @@ Plan make_plan(const BuildConfig& config, int threads) {
 std::vector<Shard> Plan::shards() const {
   std::vector<Shard> all;
   for (std::size_t hand = 0; hand < hands.size(); ++hand) {
-    for (std::size_t variant = 0; variant < variant_holds.size(); ++variant) {
+    for (std::size_t variant = 0; variant < variants.size(); ++variant) {
       for (std::size_t grasp = 0; grasp < grasps.size(); ++grasp) {
         all.push_back({hand, variant, grasp});
       }
@@ -136,7 +135,7 @@ DatabaseInfo describe_plan(const Plan& plan) {
   DatabaseInfo info;
   for (const Grasp& grasp : plan.grasps) info.grasps.push_back({grasp.id, grasp.name});
   for (const Hand& hand : plan.hands) info.hands.push_back({hand.name, hand.skeleton});
-  for (bool holds : plan.variant_holds) info.variants.emplace_back(holds ? "held" : "free");
+  for (const Variant& variant : plan.variants) info.variants.push_back(variant.name());
   info.steps = plan.config.steps;
   info.views = plan.config.views;
   info.camera_distance = plan.config.distance;

@@ -12,6 +12,14 @@
 
 namespace graspdb {
 
+// A copy with or without its object.
+struct Variant {
+  bool holds;
+  int copy;  // from 1; those of one number are varied alike
+
+  std::string name() const;  // "held", "free", "held 2", ...
+};
+
 // The rows of one hand, variant and grasp: the unit that is kept and used again.
 struct Shard {
   std::size_t hand, variant, grasp;  // ordinals in the plan
@@ -19,13 +27,13 @@ struct Shard {
 
 // Everything a build needs, loaded and checked, and the order of its rows.
 struct Plan {
-  BuildConfig config;  // with the hashes of its files
-  std::vector<Hand> hands;
+  BuildConfig config;       // with the hashes of its files
+  std::vector<Hand> hands;  // with all of their forearms
   std::vector<Grasp> grasps;
   JointAngles rest;
   std::vector<std::vector<GraspPose>> closed;  // [hand][grasp ordinal]
-  std::vector<bool> variant_holds;             // per variant: is the object there
-  std::vector<Eigen::Matrix3d> views;          // camera_from_hand
+  std::vector<Variant> variants;
+  std::vector<Eigen::Matrix3d> views;  // camera_from_hand
 
   std::vector<Shard> shards() const;  // in the order of their rows
   std::size_t rows_per_shard() const {

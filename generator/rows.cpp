@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "graspdb/posed_scene.h"
+#include "jitter.h"
 
 namespace graspdb {
 namespace {
@@ -25,10 +26,15 @@ BoxTangents box_in_tangents(const Box& box, const Intrinsics& camera) {
           static_cast<float>(box.width / camera.fx), static_cast<float>(box.height / camera.fy)};
 }
 
-Row make_row(const Plan& plan, const PosedScene& posed, std::size_t view) {
+JitterDraw draw_of(const Plan& plan, const Shard& shard) {
+  return {plan.config.jitter, plan.hands[shard.hand].name, plan.grasps[shard.grasp].id,
+          plan.variants[shard.variant].copy};
+}
+
+Row make_row(const Plan& plan, const PosedScene& posed, const JitterDraw& draw, std::size_t view) {
   const Camera camera = crop_camera(plan.views[view], posed.centre, plan.config.distance,
                                     posed.hand_vertices, plan.config.resolution);
-  const View picture = render(posed.scene, camera, plan.config.light);
+  const View picture = render(posed.scene, camera, draw.light(plan.config.light, view));
   const Mask hand = visible_hand(picture);
   Row row;
   row.view = static_cast<std::uint32_t>(view);
@@ -39,16 +45,30 @@ Row make_row(const Plan& plan, const PosedScene& posed, std::size_t view) {
 
 }  // namespace
 
-void make_rows(const Plan& plan, const Shard& shard, int step, std::span<Row> rows) {
-  const Grasp grasp = fitted_to(plan.hands[shard.hand], plan.grasps[shard.grasp]);
-  const GraspPose pose =
-      pose_at_step(grasp, plan.rest, plan.closed[shard.hand][shard.grasp], step, plan.config.steps);
-  const Solid* object = plan.variant_holds[shard.variant] ? grasp.object.get() : nullptr;
-  const PosedScene posed = pose_scene(plan.hands[shard.hand], pose, object);
+SizedGrasp sized_grasp(const Plan& plan, const Shard& shard) {
+  const Hand& hand = plan.hands[shard.hand];
+  const Grasp grasp = fitted_to(hand, plan.grasps[shard.grasp]);
+  if (plan.config.jitter.object_size_percent == 0) {
+    return {grasp, plan.closed[shard.hand][shard.grasp]};
+  }
+  Grasp resized = grasp;
+  resized.object = scaled(grasp.object, draw_of(plan, shard).object_scale());
+  return {resized, close_grasp(resized, hand)};
+}
+
+void make_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step,
+               std::span<Row> rows) {
+  const JitterDraw draw = draw_of(plan, shard);
+  GraspPose pose = pose_at_step(sized.grasp, plan.rest, sized.closed, step, plan.config.steps);
+  pose.angles = draw.angles(pose.angles);
+  const Hand hand = with_visible_forearm(plan.hands[shard.hand],
+                                         draw.visible_forearm(plan.config.visible_forearm));
+  const Solid* object = plan.variants[shard.variant].holds ? sized.grasp.object.get() : nullptr;
+  const PosedScene posed = pose_scene(hand, pose, object);
   for (std::size_t view = 0; view < rows.size(); ++view) {
-    Row& row = rows[view] = make_row(plan, posed, view);
+    Row& row = rows[view] = make_row(plan, posed, draw, view);
     row.label = make_label(plan.views[view], pose.angles);
-    row.grasp = static_cast<std::uint16_t>(grasp.id);
+    row.grasp = static_cast<std::uint16_t>(sized.grasp.id);
     row.step = static_cast<std::uint8_t>(step);
   }
 }

@@ -8,8 +8,19 @@
 
 namespace graspdb {
 
+// A shard's grasp with its object in the size that it has there, and the hand closed on it.
+struct SizedGrasp {
+  Grasp grasp;
+  GraspPose closed;
+};
+
+// Takes about a second where jitter changes the object's size, for the hand is closed again. The
+// same for a copy's held and free rows. Thread-safe.
+SizedGrasp sized_grasp(const Plan& plan, const Shard& shard);
+
 // Renders and describes all views of one step of a shard: rows[i] becomes view i, as a row of a
 // database of the shard alone (hand 0, variant 0). Pure and thread-safe.
-void make_rows(const Plan& plan, const Shard& shard, int step, std::span<Row> rows);
+void make_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step,
+               std::span<Row> rows);
 
 }  // namespace graspdb

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "graspdb/error.h"
@@ -24,11 +25,25 @@ json to_json(const Eigen::MatrixXd& values) {
   return std::vector<double>(values.data(), values.data() + values.size());
 }
 
-// "male-held-003-", whatever the inputs.
+// "male-held-003-", "male-held-2-003-", whatever the inputs.
 std::string name_of(const Plan& plan, const Shard& shard) {
-  return fmt::format("{}-{}-{:03}-", plan.hands[shard.hand].name,
-                     plan.variant_holds[shard.variant] ? "held" : "free",
-                     plan.grasps[shard.grasp].id);
+  std::string name = fmt::format("{}-{}-{:03}-", plan.hands[shard.hand].name,
+                                 plan.variants[shard.variant].name(), plan.grasps[shard.grasp].id);
+  std::ranges::replace(name, ' ', '-');
+  return name;
+}
+
+json jitter_of(const Plan& plan, const Shard& shard) {
+  const Jitter& jitter = plan.config.jitter;
+  if (!jitter.is_on()) return nullptr;
+  return {{"hand_name", plan.hands[shard.hand].name},
+          {"copy", plan.variants[shard.variant].copy},
+          {"seed", jitter.seed},
+          {"angles_deg", jitter.angles_deg},
+          {"wrist_deg", jitter.wrist_deg},
+          {"object_size_percent", jitter.object_size_percent},
+          {"visible_forearm_mm", jitter.visible_forearm_mm},
+          {"light_deg", jitter.light_deg}};
 }
 
 }  // namespace
@@ -41,7 +56,7 @@ std::string shard_inputs(const Plan& plan, const Shard& shard) {
               {"processor", info.processor},
               {"hand", config.hand_hashes[shard.hand]},
               {"grasp", config.grasp_hashes.at(plan.grasps[shard.grasp].id)},
-              {"held", bool{plan.variant_holds[shard.variant]}},
+              {"held", plan.variants[shard.variant].holds},
               {"rest", to_json(plan.rest)},
               {"closed", to_json(closed.angles)},
               {"object_rotation", to_json(closed.hand_from_object.rotation)},
@@ -55,7 +70,8 @@ std::string shard_inputs(const Plan& plan, const Shard& shard) {
               {"ambient", config.light.ambient},
               {"diffuse", config.light.diffuse},
               {"towards_light_in_camera", to_json(config.light.towards_light_in_camera)},
-              {"hog", info.hog}}
+              {"hog", info.hog},
+              {"jitter", jitter_of(plan, shard)}}
       .dump();
 }
 

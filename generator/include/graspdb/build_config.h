@@ -14,6 +14,20 @@ namespace graspdb {
 
 enum class Objects { kHeld, kFree, kBoth };
 
+// Variety, drawn evenly around what is stated; an amplitude of 0 changes nothing. Needs no more
+// random state than the seed: a row does not depend on what else is in the build.
+struct Jitter {
+  double angles_deg = 0;           // joint angles of the digits, within their ranges; 0..30
+  double wrist_deg = 0;            // wrist flexion and deviation; 0..30
+  double object_size_percent = 0;  // the hand is closed again on the object; 0..30
+  double visible_forearm_mm = 0;   // 0..200
+  double light_deg = 0;            // from the light's direction, another one each view; 0..90
+  int seed = 0;                    // at least 0
+  int copies = 1;                  // differently drawn ones, variants "held", "held 2"...; 1..100
+
+  bool is_on() const;  // whether any amplitude is above 0
+};
+
 struct BuildConfig {
   std::vector<std::filesystem::path>
       hands;                     // .glb files, each with its rig map and a name of its own
@@ -27,6 +41,7 @@ struct BuildConfig {
   double visible_forearm = 0.015;  // metres beyond the wrist joint, at most distance - 0.1
   Light light;
   HogOptions hog{.mode = HogMode::kEdges};
+  Jitter jitter;
 
   // Of a configuration that was read from a database: what its files were. A build refuses files
   // that have changed. Empty: any will do.
