@@ -83,6 +83,8 @@ std::string rig_map_text(const Hand& hand) {
   const Eigen::Vector3d nail = hand.palm_from_bone_at_bind[kThumbDistal].rotation.col(2);
   std::string text = fmt::format(
       "# Which joint of {}.glb is which of graspdb's (docs/hands.md).\n"
+      "origin = \"made by graspdb hand make\"\n"
+      "licence = \"MIT\"\n"
       "handedness = \"right\"\n"
       "# The way the thumb's nail faces in the file's rest pose, in the file's coordinates.\n"
       "thumb_nail = [{}, {}, {}]\n\n[bones]\n",

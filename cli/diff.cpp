@@ -64,6 +64,7 @@ void compare_info(const DatabaseInfo& a, const DatabaseInfo& b, Difference& diff
   difference.field("grasps and hands", names(a), names(b));
   difference.field("configuration", a.config, b.config);
   difference.field("tool", a.tool, b.tool);
+  difference.field("data card", a.data_card, b.data_card);
   difference.field("processor", a.processor, b.processor);
 }
 

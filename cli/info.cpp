@@ -9,6 +9,20 @@
 namespace graspdb::cli {
 namespace {
 
+// Nothing of a file from before databases had one.
+nlohmann::json card_of(const DatabaseInfo& info) {
+  return info.data_card.empty() ? nlohmann::json() : nlohmann::json::parse(info.data_card);
+}
+
+// What a reader must know before anything else; --json has the rest.
+void print_card(const nlohmann::json& card) {
+  if (!card.is_object()) return;
+  for (const char* key : {"row", "people", "use", "licence"}) {
+    if (card.contains(key) && card[key].is_string())
+      fmt::print("{:<8} {}\n", key, card[key].get<std::string>());
+  }
+}
+
 nlohmann::json to_json(const Database& database) {
   const DatabaseInfo& info = database.info();
   nlohmann::json grasps = nlohmann::json::array();
@@ -26,6 +40,7 @@ nlohmann::json to_json(const Database& database) {
           {"hog", info.hog},
           {"config", nlohmann::json::parse(info.config)},
           {"tool", info.tool},
+          {"data_card", card_of(info)},
           {"content_hash", database.content_hash()}};
 }
 
@@ -42,6 +57,7 @@ void print(const Database& database) {
     fmt::print("grasp    {:3} {}\n", grasp.id, grasp.name);
   fmt::print("views    {}\nhog      {}\nconfig   {}\ntool     {}\ncontent  {}\n", info.view_rule,
              info.hog, info.config, info.tool, database.content_hash());
+  print_card(card_of(info));
 }
 
 }  // namespace

@@ -113,6 +113,10 @@ DatabaseInfo read_info(const JsonFields& metadata, const std::string& file) {
   info.config = metadata.text("config");
   info.tool = metadata.text("tool");
   info.processor = metadata.text("processor");
+  if (metadata.has("data_card")) {
+    metadata.inner("data_card");  // JSON, or refused
+    info.data_card = metadata.text("data_card");
+  }
   return info;
 }
 

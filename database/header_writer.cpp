@@ -37,24 +37,26 @@ ordered_json metadata_json(const Header& header) {
     hands.push_back(ordered_json{
         {"name", hand.name}, {"skeleton", ordered_json::parse(skeleton_to_json(hand.skeleton))}});
   }
-  return {{"format", "graspdb"},
-          {"format_version", kVersion},
-          {"header_hash", std::string(kHashDigits, '0')},
-          {"content_hash", content_hash(header.column_hashes)},
-          {"column_hashes", hashes.dump()},
-          {"columns", columns.dump()},
-          {"grasps", grasps.dump()},
-          {"hands", hands.dump()},
-          {"variants", ordered_json(info.variants).dump()},
-          {"steps", std::to_string(info.steps)},
-          {"views", std::to_string(info.views)},
-          {"camera_distance_m", ordered_json(info.camera_distance).dump()},
-          {"view_rule", info.view_rule},
-          {"hog", info.hog},
-          {"config", info.config},
-          {"config_hash", hash_hex(info.config)},
-          {"tool", info.tool},
-          {"processor", info.processor}};
+  ordered_json metadata{{"format", "graspdb"},
+                        {"format_version", kVersion},
+                        {"header_hash", std::string(kHashDigits, '0')},
+                        {"content_hash", content_hash(header.column_hashes)},
+                        {"column_hashes", hashes.dump()},
+                        {"columns", columns.dump()},
+                        {"grasps", grasps.dump()},
+                        {"hands", hands.dump()},
+                        {"variants", ordered_json(info.variants).dump()},
+                        {"steps", std::to_string(info.steps)},
+                        {"views", std::to_string(info.views)},
+                        {"camera_distance_m", ordered_json(info.camera_distance).dump()},
+                        {"view_rule", info.view_rule},
+                        {"hog", info.hog},
+                        {"config", info.config},
+                        {"config_hash", hash_hex(info.config)},
+                        {"tool", info.tool},
+                        {"processor", info.processor}};
+  if (!info.data_card.empty()) metadata["data_card"] = info.data_card;
+  return metadata;
 }
 
 ordered_json header_json(const Header& header) {

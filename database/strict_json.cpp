@@ -61,6 +61,10 @@ void JsonFields::refuse(const std::string& name, const std::string& expected,
                   found.is_primitive() ? found.dump() : found.type_name());
 }
 
+bool JsonFields::has(const std::string& name) const {
+  return object_.contains(name);
+}
+
 const json& JsonFields::at(const std::string& name) const {
   const auto found = object_.find(name);
   if (found == object_.end()) graspdb::refuse(file_, key_ + "." + name, "an entry", "none");

@@ -18,6 +18,7 @@ class JsonFields {
  public:
   JsonFields(const nlohmann::json& object, std::string file, std::string key);
 
+  bool has(const std::string& name) const;
   const nlohmann::json& at(const std::string& name) const;
   std::string text(const std::string& name) const;
   int natural(const std::string& name) const;  // 0 <= value < 2^31

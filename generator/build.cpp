@@ -8,6 +8,7 @@
 #include <mutex>
 #include <tuple>
 
+#include "data_card.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/generator.h"
@@ -152,7 +153,9 @@ void merge(const Plan& plan, const BuildJob& job) {
     parts.push_back({shard_file(work_of(job), plan, shard), static_cast<std::uint8_t>(shard.hand),
                      static_cast<std::uint8_t>(shard.variant)});
   }
-  join_databases(job.out, describe_plan(plan), parts);
+  DatabaseInfo info = describe_plan(plan);
+  info.data_card = data_card(plan);
+  join_databases(job.out, info, parts);
 }
 
 // A place that cannot be written is found before the work, not after it.

@@ -115,6 +115,8 @@ std::shared_ptr<const Solid> read_mesh(const TomlTable& table, Grasp& grasp) {
   if (!fs::is_regular_file(grasp.object_file)) {
     table.fail("mesh", "a mesh file", "none at " + grasp.object_file.lexically_normal().string());
   }
+  grasp.object_origin = table.string_or("origin", "");
+  grasp.object_licence = table.string_or("licence", "");
   return load_mesh_solid(grasp.object_file, unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1);
 }
 

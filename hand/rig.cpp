@@ -77,6 +77,8 @@ Hand load_hand(const std::filesystem::path& hand_file, const std::filesystem::pa
   check(frames, map, file);
   RigSkin skin = skin_with_forearm(map, file, frames);
   Hand hand{.name = hand_file.stem().string(),
+            .origin = map.origin,
+            .licence = map.licence,
             .skeleton = frames.skeleton,
             .bind_mesh = std::move(skin.mesh),
             .weights = four_largest(skin.weights),

@@ -136,6 +136,8 @@ void read_skin(const TomlTable& table, RigMap& map) {
 RigMap load_rig_map(const std::filesystem::path& path) {
   const TomlTable table = TomlTable::load(path);
   RigMap map{.file = table.file(),
+             .origin = table.string_or("origin", ""),
+             .licence = table.string_or("licence", ""),
              .is_left = read_is_left(table),
              .metres_per_unit = table.number_or("metres_per_unit", 1, 1e-6, 1e3),
              .thumb_nail = read_direction(table, "thumb_nail"),

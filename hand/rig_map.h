@@ -28,7 +28,8 @@ struct ForearmSplit {
 
 // What a rigged file's bones are to graspdb: the text file beside it.
 struct RigMap {
-  std::string file;  // of the map itself, for messages
+  std::string file;             // of the map itself, for messages
+  std::string origin, licence;  // empty: not stated
   bool is_left = false;
   double metres_per_unit = 1;
   Eigen::Vector3d thumb_nail;  // unit vector, the file's coordinates in its rest pose

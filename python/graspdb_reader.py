@@ -32,6 +32,7 @@ class Database:
         self.variants = json.loads(self.metadata["variants"])
         self.steps = int(self.metadata["steps"])
         self.views = int(self.metadata["views"])
+        self.data_card = json.loads(self.metadata.get("data_card", "{}"))
         self.label_names = json.loads(self.metadata["columns"])["label"]["names"]
 
     def rotation_vectors(self):

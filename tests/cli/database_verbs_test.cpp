@@ -46,6 +46,8 @@ TEST(DatabaseVerbs, ADatabaseIsBuiltDescribedVerifiedIndexedAndSearched) {
   EXPECT_EQ(info.at("config").at("resolution_px"), 32);
   for (const char* key : {"hands", "variants", "steps", "views", "view_rule", "hog", "tool"})
     EXPECT_TRUE(info.contains(key)) << key;
+  EXPECT_EQ(info.at("data_card").at("hands").at(0).at("licence"), "MIT");
+  EXPECT_THAT(run_program("info " + file).out, HasSubstr("\nlicence  MIT: "));
 
   EXPECT_EQ(run_program("verify " + file).code, 0);
   EXPECT_EQ(run_program("index " + file + " --tables 2").out, file + ".lsh\n");

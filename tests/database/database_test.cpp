@@ -19,6 +19,16 @@ using testing::toy_info;
 using testing::toy_row;
 using testing::toy_rows;
 
+TEST(Database, GivesBackItsDataCardAndNoneWhereThereIsNone) {
+  const TemporaryDirectory directory;
+  DatabaseInfo info = toy_info();
+  write_database(directory / "none.graspdb", info, toy_rows(1));
+  EXPECT_EQ(Database::open(directory / "none.graspdb").info().data_card, "");
+  info.data_card = R"({"licence":"MIT"})";
+  write_database(directory / "card.graspdb", info, toy_rows(1));
+  EXPECT_EQ(Database::open(directory / "card.graspdb").info().data_card, info.data_card);
+}
+
 TEST(Database, GivesBackEveryValueOfEveryRow) {
   const TemporaryDirectory directory;
   write_database(directory / "a.graspdb", toy_info(), toy_rows(100));

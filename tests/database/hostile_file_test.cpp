@@ -178,6 +178,8 @@ TEST_F(HostileFile, BrokenMetadataIsRefusedByName) {
   expect_refused(with(R"("steps":"5")", R"("steps":"-5")"), "__metadata__.steps");
   expect_refused(with(R"("steps":"5")", R"("steps":"0")"), "steps");
   expect_refused(with(R"("views":"8")", R"("views":"3000000000")"), "__metadata__.views");
+  expect_refused(with(R"("tool":)", R"("data_card":"{","tool":)"), "__metadata__.data_card");
+  expect_refused(with(R"("tool":)", R"("data_card":{},"tool":)"), "__metadata__.data_card");
   expect_refused(with(R"("tool":)", R"("fool":)"), "__metadata__.tool");
   expect_refused(with(R"(\"id\":9)", R"(\"id\":1)"), "grasps.id");
   expect_refused(with(R"(\"id\":9)", R"(\"id\":\"9\")"), "grasps.id");

@@ -38,6 +38,9 @@ struct DatabaseInfo {
   std::string config;          // the whole configuration, JSON
   std::string tool;            // e.g. "graspdb 0.1.0"
   std::string processor;  // the kind that made the rows, where that can change a bit; else empty
+  // What the database is and under which licences, JSON (docs/data-card.md); may be empty, as it is
+  // in files from before there was one.
+  std::string data_card = {};
 };
 
 // One row before it is packed.

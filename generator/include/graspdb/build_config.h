@@ -14,8 +14,8 @@ namespace graspdb {
 
 enum class Objects { kHeld, kFree, kBoth };
 
-// Variety, drawn evenly around what is stated; an amplitude of 0 changes nothing. Needs no more
-// random state than the seed: a row does not depend on what else is in the build.
+// Amplitudes of what is drawn evenly around what is stated (docs/jitter.md); 0 changes nothing. A
+// row depends on the seed and not on what else is in the build.
 struct Jitter {
   double angles_deg = 0;           // joint angles of the digits, within their ranges; 0..30
   double wrist_deg = 0;            // wrist flexion and deviation; 0..30

@@ -62,8 +62,9 @@ struct Grasp {
   std::vector<int> free_digits;       // that must not touch
   std::shared_ptr<const Solid> object;
   std::string object_name;
-  std::filesystem::path object_file;  // of a mesh; empty for a primitive
-  bool object_scales = false;         // with the hand: `object` is that of kReferenceHandLength
+  std::filesystem::path object_file;          // of a mesh; empty for a primitive
+  std::string object_origin, object_licence;  // of a mesh, as the file states them; may be empty
+  bool object_scales = false;  // with the hand: `object` is that of kReferenceHandLength
   // Where the closing begins, on a hand of kReferenceHandLength. The object's place is seen from
   // the hand frame or, with `from_contacts`, from the middle between the thumb's contact areas and
   // those of all others, as they are in `start.angles`.

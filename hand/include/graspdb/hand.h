@@ -20,7 +20,8 @@ struct SkinWeights {
 
 // A right hand; a left one is mirrored when it is loaded.
 struct Hand {
-  std::string name;  // e.g. "male"
+  std::string name;             // e.g. "male"
+  std::string origin, licence;  // of its file, as the rig map states them; may be empty
   Skeleton skeleton;
   Mesh bind_mesh;                    // hand frame, metres
   std::vector<SkinWeights> weights;  // one a vertex

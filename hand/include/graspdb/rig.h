@@ -12,6 +12,7 @@ namespace graspdb {
 // with an example. Its keys:
 //   handedness       "right" or "left"
 //   metres_per_unit  1 when absent
+//   origin, licence  of the hand file, for the data card of databases; may be absent
 //   thumb_nail       the way the nail faces at rest, three numbers in the file's coordinates
 //   [bones]          for each bone_name() a list of the file's bones: the joint is the first one's
 //                    origin (the palm's is the wrist, the forearm's lies nearer the elbow), and the
