@@ -49,9 +49,9 @@ std::string licence(const Plan& plan) {
     if (!grasp.object_file.empty()) licences.insert(stated(grasp.object_licence));
   }
   if (licences.contains(kNotStated)) {
-    return "not stated for every hand and object below: ask their authors before you publish it";
+    return "not stated for every hand and object: ask their authors before you publish it";
   }
-  return fmt::format("{}: the terms of the hands and objects below; graspdb adds none",
+  return fmt::format("{}: the terms of its hands and objects; graspdb adds none",
                      fmt::join(licences, ", "));
 }
 
