@@ -8,6 +8,7 @@
 #include "graspdb/error.h"
 #include "packet.h"
 #include "scene.h"
+#include "shading.h"
 
 namespace graspdb {
 namespace {
@@ -36,23 +37,11 @@ InterpolatedVertex interpolate(const Hit& hit) {
           w * a.openness + hit.u * b.openness + hit.v * c.openness};
 }
 
-// The light in the hand frame, where the normals are.
-struct HandLight {
-  float ambient, diffuse;
-  Eigen::Vector3f towards;
-
-  HandLight(const Light& light, const Camera& camera)
-      : ambient(static_cast<float>(light.ambient)), diffuse(static_cast<float>(light.diffuse)) {
-    const Eigen::Vector3d in_camera = light.towards_light_in_camera.normalized();
-    towards = (camera.camera_from_hand.rotation.transpose() * in_camera).cast<float>();
-  }
-
-  std::uint8_t shade(const InterpolatedVertex& at) const {
-    const float lambert = std::max(0.0F, at.normal.dot(towards));
-    const float grey = 255.0F * at.albedo * (ambient * at.openness + diffuse * lambert);
-    return static_cast<std::uint8_t>(std::clamp(grey, 0.0F, 255.0F) + 0.5F);
-  }
-};
+std::uint8_t shade(const HandLight& light, const InterpolatedVertex& at) {
+  const float lambert = std::max(0.0F, at.normal.dot(light.towards));
+  const float grey = 255.0F * at.albedo * (light.ambient * at.openness + light.diffuse * lambert);
+  return static_cast<std::uint8_t>(std::clamp(grey, 0.0F, 255.0F) + 0.5F);
+}
 
 class Renderer {
  public:
@@ -127,7 +116,7 @@ void Renderer::trace_tile(int x, int y) {
 
 void Renderer::write_pixel(int x, int y, const Hit& hit, float depth) {
   const InterpolatedVertex at = interpolate(hit);
-  view_.shading.at(x, y) = light_.shade(at);
+  view_.shading.at(x, y) = shade(light_, at);
   view_.label.at(x, y) = hit.geometry == 0 ? kHandSurface : kObjectSurface;
   if (layers_.depth) view_.depth.at(x, y) = depth;
   if (layers_.normals) view_.normal.at(x, y) = rotation_ * at.normal;

@@ -9,6 +9,8 @@ namespace {
 Surface make_surface(const Mesh& mesh, std::span<const float> openness) {
   Surface surface;
   surface.triangles = mesh.triangles;
+  surface.positions = mesh.vertices;
+  surface.facets = make_facets(mesh);
   surface.vertices.resize(mesh.vertices.size());
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
     surface.vertices[v] = {mesh.normals[v], mesh.albedo.empty() ? 1.0F : mesh.albedo[v],

@@ -8,19 +8,15 @@
 
 #include "embree.h"
 #include "graspdb/renderer.h"
+#include "triangle_raster.h"
 
 namespace graspdb {
 
-// What a hit needs of a vertex, side by side in memory.
-struct ShadingVertex {
-  Eigen::Vector3f normal;
-  float albedo;
-  float openness;
-};
-
 struct Surface {
   std::vector<Triangle> triangles;
+  std::vector<Eigen::Vector3f> positions;  // hand frame
   std::vector<ShadingVertex> vertices;
+  Facets facets;
   std::vector<std::uint8_t> parts;  // one a vertex, or empty
 };
 

@@ -72,6 +72,13 @@ struct View {
 View render(const Scene& scene, const Camera& camera, const Light& light = {},
             const Layers& layers = {});
 
+// The picture that render() makes without layers, several times faster for meshes whose triangles
+// are about as large as pixels: each triangle is tested against the rays of the pixels around it,
+// where render() tests each ray against the triangles around it. Only triangles that face the
+// camera are drawn, which are all that can be seen of closed meshes that turn their outside
+// outwards. The same bytes on every processor. Thread-safe.
+View rasterize(const Scene& scene, const Camera& camera, const Light& light = {});
+
 // The visible hand: 255 where the label is kHandSurface.
 Mask visible_hand(const View& view);
 
