@@ -21,13 +21,52 @@ using Ints = hn::RebindToSigned<Floats>;
 using Indices = hn::RebindToUnsigned<Floats>;
 using Vec = hn::Vec<Floats>;
 
-// A vector holds a tile of up to 4 x 4 pixels: most triangles of a hand cover two or three.
-HWY_INLINE int TileWidth() {
-  return std::min(4, static_cast<int>(hn::Lanes(Floats())));
-}
+// A vector holds a tile of 4 x 4 pixels, or fewer rows where it has fewer lanes: most triangles of
+// a hand fit into one.
+constexpr int kTileWidth = HWY_MIN(4, hn::MaxLanes(Floats()));
+
 HWY_INLINE int TileHeight() {
-  return static_cast<int>(hn::Lanes(Floats())) / TileWidth();
+  return static_cast<int>(hn::Lanes(Floats())) / kTileWidth;
 }
+
+// The rows of a tile lie `stride` elements apart in memory.
+#if HWY_TARGET == HWY_SCALAR  // a tile is one pixel
+
+template <class D, typename Element>
+HWY_INLINE hn::Vec<D> LoadRows(D d, const Element* from, std::size_t) {
+  return hn::Load(d, from);
+}
+
+template <class D, typename Element>
+HWY_INLINE void StoreRows(D d, hn::Vec<D> tile, Element* to, std::size_t) {
+  hn::Store(tile, d, to);
+}
+
+#else
+
+template <class D, typename Element>
+HWY_INLINE hn::Vec<D> LoadRows(D d, const Element* from, std::size_t stride) {
+  if constexpr (hn::MaxLanes(D()) <= kTileWidth) {
+    return hn::LoadU(d, from);
+  } else {
+    const hn::Half<D> half;
+    const Element* lower = from + hn::Lanes(half) / kTileWidth * stride;
+    return hn::Combine(d, LoadRows(half, lower, stride), LoadRows(half, from, stride));
+  }
+}
+
+template <class D, typename Element>
+HWY_INLINE void StoreRows(D d, hn::Vec<D> tile, Element* to, std::size_t stride) {
+  if constexpr (hn::MaxLanes(D()) <= kTileWidth) {
+    hn::StoreU(tile, d, to);
+  } else {
+    const hn::Half<D> half;
+    StoreRows(half, hn::LowerHalf(half, tile), to, stride);
+    StoreRows(half, hn::UpperHalf(half, tile), to + hn::Lanes(half) / kTileWidth * stride, stride);
+  }
+}
+
+#endif
 
 struct Corner {
   const ProjectedVertex& seen;
@@ -109,75 +148,100 @@ HWY_INLINE int LastPixel(float high, int size) {
   return static_cast<int>(std::clamp(high + 1, 0.0F, static_cast<float>(size))) - 1;
 }
 
-// The picture in the making, tile by tile.
+// The pixels whose centres lie in a triangle's bounding box.
+struct Candidate {
+  std::uint32_t triangle;
+  int left, top, right, bottom;
+};
+
+// The picture in the making, with a margin for tiles that stick out to the right or below.
 class Canvas {
  public:
   Canvas(int width, int height)
-      : tiles_across_((width + TileWidth() - 1) / TileWidth()),
-        width_(width),
+      : width_(width),
         height_(height),
-        inverse_z_(Size(height)),
-        pixels_(Size(height)) {}
+        stride_(static_cast<std::size_t>(width + kTileWidth - 1)),
+        inverse_z_(stride_ * static_cast<std::size_t>(height + TileHeight())),
+        pixels_(inverse_z_.size()) {}
 
-  void Draw(const Corner (&corners)[3], const HandLight& light, SurfaceLabel label) {
-    const auto& [a, b, c] = corners;
-    const int left = FirstPixel(std::min({a.seen.x, b.seen.x, c.seen.x}));
-    const int right = LastPixel(std::max({a.seen.x, b.seen.x, c.seen.x}), width_);
-    const int top = FirstPixel(std::min({a.seen.y, b.seen.y, c.seen.y}));
-    const int bottom = LastPixel(std::max({a.seen.y, b.seen.y, c.seen.y}), height_);
-    if (left > right || top > bottom) return;
-    for (int row = top / TileHeight(); row <= bottom / TileHeight(); ++row) {
-      for (int column = left / TileWidth(); column <= right / TileWidth(); ++column) {
-        DrawTile(corners, light, label, column, row);
+  void Draw(const RasterSurface& surface, const HandLight& light,
+            std::span<const std::uint32_t> triangles) {
+    for (const Candidate& candidate : Candidates(surface, triangles)) {
+      const auto [a, b, c] = surface.facets.triangles[candidate.triangle];
+      const Corner corners[3] = {{surface.seen[a], surface.shading[a]},
+                                 {surface.seen[b], surface.shading[b]},
+                                 {surface.seen[c], surface.shading[c]}};
+      for (int y = candidate.top; y <= candidate.bottom; y += TileHeight()) {
+        for (int x = candidate.left; x <= candidate.right; x += kTileWidth) {
+          DrawTile(corners, light, surface.label, x, y);
+        }
       }
     }
   }
 
   void Copy(View& view) const {
     for (int y = 0; y < height_; ++y) {
+      const std::int32_t* row = pixels_.data() + Place(0, y);
+      std::uint8_t *shading = view.shading.row(y), *label = view.label.row(y);
       for (int x = 0; x < width_; ++x) {
-        const int lane = y % TileHeight() * TileWidth() + x % TileWidth();
-        const std::int32_t pixel =
-            pixels_[Place(x / TileWidth(), y / TileHeight()) + static_cast<std::size_t>(lane)];
-        view.shading.at(x, y) = static_cast<std::uint8_t>(pixel);
-        view.label.at(x, y) = static_cast<std::uint8_t>(pixel >> 8);
+        shading[x] = static_cast<std::uint8_t>(row[x]);
+        label[x] = static_cast<std::uint8_t>(row[x] >> 8);
       }
     }
   }
 
  private:
-  std::size_t Size(int height) const {
-    return Place(0, (height + TileHeight() - 1) / TileHeight());
+  std::size_t Place(int x, int y) const {
+    return static_cast<std::size_t>(y) * stride_ + static_cast<std::size_t>(x);
   }
-  std::size_t Place(int column, int row) const {
-    return static_cast<std::size_t>(row * tiles_across_ + column) * hn::Lanes(Floats());
+
+  // Those triangles that may cover a pixel. Apart from drawing, because without a branch.
+  std::vector<Candidate> Candidates(const RasterSurface& surface,
+                                    std::span<const std::uint32_t> triangles) const {
+    std::vector<Candidate> candidates(triangles.size() + 1);
+    std::size_t count = 0;
+    for (const std::uint32_t triangle : triangles) {
+      const auto [ia, ib, ic] = surface.facets.triangles[triangle];
+      const ProjectedVertex &a = surface.seen[ia], &b = surface.seen[ib], &c = surface.seen[ic];
+      const Candidate candidate = {triangle, FirstPixel(std::min({a.x, b.x, c.x})),
+                                   FirstPixel(std::min({a.y, b.y, c.y})),
+                                   LastPixel(std::max({a.x, b.x, c.x}), width_),
+                                   LastPixel(std::max({a.y, b.y, c.y}), height_)};
+      candidates[count] = candidate;
+      count += static_cast<std::size_t>((candidate.left <= candidate.right) &
+                                        (candidate.top <= candidate.bottom));
+    }
+    candidates.resize(count);
+    return candidates;
   }
 
   HWY_INLINE void DrawTile(const Corner (&corners)[3], const HandLight& light, SurfaceLabel label,
-                           int column, int row) {
+                           int left, int top) {
     const Floats f;
     const Ints ints;
     const auto lane = hn::Iota(ints, 0);
-    const Vec x = hn::Add(hn::ConvertTo(f, hn::And(lane, hn::Set(ints, 3))),
-                          hn::Set(f, static_cast<float>(column * TileWidth())));
-    const Vec y = hn::Add(hn::ConvertTo(f, hn::ShiftRight<2>(lane)),
-                          hn::Set(f, static_cast<float>(row * TileHeight())));
+    const Vec x = hn::Add(hn::ConvertTo(f, hn::And(lane, hn::Set(ints, kTileWidth - 1))),
+                          hn::Set(f, static_cast<float>(left)));
+    const Vec y =
+        hn::Add(hn::ConvertTo(f, hn::ShiftRight<2>(lane)), hn::Set(f, static_cast<float>(top)));
     const Weights weights = WeightsAt(corners, x, y);
     const auto& w = weights.flat;
     const auto covered = hn::Ge(hn::Min(hn::Min(w[0], w[1]), w[2]), hn::Zero(f));
     const Vec inverse_z = hn::Div(Sum(weights.in_space), Sum(w));
-    float* held_z = inverse_z_.data() + Place(column, row);
-    const Vec before = hn::LoadU(f, held_z);
+    float* held_z = inverse_z_.data() + Place(left, top);
+    const Vec before = LoadRows(f, held_z, stride_);
     const auto nearer = hn::And(covered, hn::Gt(inverse_z, before));
     if (hn::AllFalse(f, nearer)) return;
-    hn::StoreU(hn::IfThenElse(nearer, inverse_z, before), f, held_z);
-    std::int32_t* held = pixels_.data() + Place(column, row);
+    StoreRows(f, hn::IfThenElse(nearer, inverse_z, before), held_z, stride_);
+    std::int32_t* held = pixels_.data() + Place(left, top);
     const auto pixel = hn::Add(Grey(corners, weights, light), hn::Set(ints, label << 8));
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(ints, nearer), pixel, hn::LoadU(ints, held)), ints,
-               held);
+    const auto blended =
+        hn::IfThenElse(hn::RebindMask(ints, nearer), pixel, LoadRows(ints, held, stride_));
+    StoreRows(ints, blended, held, stride_);
   }
 
-  int tiles_across_, width_, height_;
+  int width_, height_;
+  std::size_t stride_;
   std::vector<float> inverse_z_;      // 0 where nothing has been drawn
   std::vector<std::int32_t> pixels_;  // label * 256 + grey
 };
@@ -206,13 +270,7 @@ void DrawSurfaces(std::span<const RasterSurface> surfaces, const Eigen::Vector3f
                   const HandLight& light, View& view) {
   Canvas canvas(view.label.width(), view.label.height());
   for (const RasterSurface& surface : surfaces) {
-    for (const std::uint32_t triangle : FacingTriangles(surface.facets, eye)) {
-      const auto [a, b, c] = surface.facets.triangles[triangle];
-      canvas.Draw({{surface.seen[a], surface.shading[a]},
-                   {surface.seen[b], surface.shading[b]},
-                   {surface.seen[c], surface.shading[c]}},
-                  light, surface.label);
-    }
+    canvas.Draw(surface, light, FacingTriangles(surface.facets, eye));
   }
   canvas.Copy(view);
 }
