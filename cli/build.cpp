@@ -138,6 +138,11 @@ class RowOptions {
         ->check(CLI::Range(16, 1024));
     add("--distance", &BuildConfig::distance, "From the camera to the palm, metres")
         ->check(CLI::Range(0.2, 5.0));
+    add("--renderer", &BuildConfig::renderer,
+        "raster draws triangles, embree casts rays: the same pictures, raster faster")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, RowRenderer>{
+            {"raster", RowRenderer::kRaster}, {"embree", RowRenderer::kEmbree}}))
+        ->default_str("raster");
     add_forearm();
     add_hog();
     add_jitters();

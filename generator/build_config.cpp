@@ -30,6 +30,7 @@ constexpr Jitter kLargestJitter{.angles_deg = 30,
                                 .seed = std::numeric_limits<int>::max(),
                                 .copies = 100};
 constexpr std::array<std::string_view, 3> kObjectsNames = {"held", "free", "both"};
+constexpr std::array<std::string_view, 2> kRendererNames = {"raster", "embree"};
 
 void check_range(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return;
@@ -89,11 +90,14 @@ std::string toml_document(const json& root) {
   return text;
 }
 
-Objects read_objects(const TomlTable& table) {
-  const std::string name = table.string_or("objects", std::string(kObjectsNames[0]));
-  const auto known = std::ranges::find(kObjectsNames, name);
-  if (known == kObjectsNames.end()) table.fail("objects", "held, free or both", name);
-  return static_cast<Objects>(known - kObjectsNames.begin());
+// The enumerator that `key` names, the first one if it is absent.
+template <typename Enum, std::size_t kCount>
+Enum read_name(const TomlTable& table, const std::string& key,
+               const std::array<std::string_view, kCount>& names) {
+  const std::string name = table.string_or(key, std::string(names[0]));
+  const auto known = std::ranges::find(names, name);
+  if (known == names.end()) table.fail(key, fmt::format("one of {}", fmt::join(names, ", ")), name);
+  return static_cast<Enum>(known - names.begin());
 }
 
 Light read_light(const TomlTable& table) {
@@ -169,12 +173,13 @@ BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
       config.only.push_back(static_cast<int>(id));
     }
   }
-  config.objects = read_objects(table);
+  config.objects = read_name<Objects>(table, "objects", kObjectsNames);
   config.steps = table.integer_or("steps", config.steps, 1, 20);
   config.views = table.integer_or("views", config.views, 1, 100000);
   config.resolution = table.integer_or("resolution_px", config.resolution, 16, 1024);
   config.distance = table.number_or("distance_m", config.distance, 0.2, 5);
   config.visible_forearm = table.number_or("visible_forearm_m", config.visible_forearm, 0, 0.3);
+  config.renderer = read_name<RowRenderer>(table, "renderer", kRendererNames);
   if (const auto light = table.table_if_any("light")) config.light = read_light(*light);
   if (const auto jitter = table.table_if_any("jitter")) config.jitter = read_jitter(*jitter);
   config.hog = hog_from_name(table.string_or("hog", hog_name(config.hog)), table.file());
@@ -215,6 +220,10 @@ bool Jitter::is_on() const {
          light_deg > 0;
 }
 
+std::string renderer_name(RowRenderer renderer) {
+  return std::string(kRendererNames[static_cast<std::size_t>(renderer)]);
+}
+
 void check_config(const BuildConfig& config) {
   check_range("steps", config.steps, 1, 20);
   check_range("views", config.views, 1, 100000);
@@ -242,6 +251,7 @@ std::string config_to_json(const BuildConfig& config) {
             {"resolution_px", config.resolution},
             {"distance_m", config.distance},
             {"visible_forearm_m", config.visible_forearm},
+            {"renderer", renderer_name(config.renderer)},
             {"light",
              {{"ambient", config.light.ambient},
               {"diffuse", config.light.diffuse},

@@ -34,7 +34,10 @@ JitterDraw draw_of(const Plan& plan, const Shard& shard) {
 Row make_row(const Plan& plan, const PosedScene& posed, const JitterDraw& draw, std::size_t view) {
   const Camera camera = crop_camera(plan.views[view], posed.centre, plan.config.distance,
                                     posed.hand_vertices, plan.config.resolution);
-  const View picture = render(posed.scene, camera, draw.light(plan.config.light, view));
+  const Light light = draw.light(plan.config.light, view);
+  const View picture = plan.config.renderer == RowRenderer::kRaster
+                           ? rasterize(posed.scene, camera, light)
+                           : render(posed.scene, camera, light);
   const Mask hand = visible_hand(picture);
   Row row;
   row.view = static_cast<std::uint32_t>(view);

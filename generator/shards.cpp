@@ -67,6 +67,7 @@ std::string shard_inputs(const Plan& plan, const Shard& shard) {
               {"resolution_px", config.resolution},
               {"distance_m", config.distance},
               {"visible_forearm_m", config.visible_forearm},
+              {"renderer", renderer_name(config.renderer)},
               {"ambient", config.light.ambient},
               {"diffuse", config.light.diffuse},
               {"towards_light_in_camera", to_json(config.light.towards_light_in_camera)},

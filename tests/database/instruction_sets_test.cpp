@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Every instruction set that this processor has gives the same distances as plain loops.
+#include "support/instruction_sets.h"
+
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <vector>
 
 #include "code_distance.h"
@@ -15,28 +15,9 @@
 namespace graspdb {
 namespace {
 
-class InstructionSets : public ::testing::TestWithParam<std::int64_t> {
- protected:
-  void SetUp() override {
-    hwy::SetSupportedTargetsForTest(GetParam());
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-  void TearDown() override {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
-std::vector<std::int64_t> supported() {
-  std::vector<std::int64_t> each;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-    each.push_back(left & -left);
-  }
-  return each;
-}
-
-INSTANTIATE_TEST_SUITE_P(Each, InstructionSets, ::testing::ValuesIn(supported()),
-                         [](const auto& of) { return std::string(hwy::TargetName(of.param)); });
+class InstructionSets : public testing::InstructionSet {};
+INSTANTIATE_TEST_SUITE_P(Each, InstructionSets, testing::each_instruction_set(),
+                         testing::instruction_set_name);
 
 TEST_P(InstructionSets, GiveTheDistancesOfAPlainLoop) {
   constexpr std::size_t kRows = 37;

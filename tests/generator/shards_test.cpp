@@ -159,6 +159,7 @@ TEST_F(Shards, AreMadeAgainForEveryOtherOption) {
   EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.light.diffuse = 0.61; }));
   EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.light.towards_light_in_camera.x() = 1; }));
   EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.hog.mode = HogMode::kPaper; }));
+  EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.renderer = RowRenderer::kEmbree; }));
   EXPECT_EQ(build().rendered_rows, 0);
 }
 
@@ -257,6 +258,8 @@ TEST_F(Shards, TheConfigurationMayBeATextFile) {
   EXPECT_THAT(refusal([&] { load_config(directory_ / "wrong.toml"); }), HasSubstr("vews"));
   write_text(directory_ / "wrong.toml", "objects = \"some\"\n");
   EXPECT_THAT(refusal([&] { load_config(directory_ / "wrong.toml"); }), HasSubstr("objects"));
+  write_text(directory_ / "wrong.toml", "renderer = \"blender\"\n");
+  EXPECT_THAT(refusal([&] { load_config(directory_ / "wrong.toml"); }), HasSubstr("raster"));
 }
 
 TEST_F(Shards, AConfigurationMayHoldPathsOfAnyText) {
@@ -265,9 +268,11 @@ TEST_F(Shards, AConfigurationMayHoldPathsOfAnyText) {
   for (const char* file : {"male.glb", "male.rig.toml"})
     fs::copy_file(directory_ / file, odd / file);
   config_.hands = {odd / "male.glb"};
+  config_.renderer = RowRenderer::kEmbree;
   write_text(directory_ / "odd.json", config_to_json(config_));
   const BuildConfig read = load_config(directory_ / "odd.json");
   EXPECT_EQ(read.hands, config_.hands);
+  EXPECT_EQ(read.renderer, config_.renderer);
   EXPECT_EQ(config_to_json(read), config_to_json(config_));
 }
 

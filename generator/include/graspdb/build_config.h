@@ -28,6 +28,9 @@ struct Jitter {
   bool is_on() const;  // whether any amplitude is above 0
 };
 
+// Which of the renderer's two ways makes the pictures: rasterize() or render().
+enum class RowRenderer { kRaster, kEmbree };
+
 struct BuildConfig {
   std::vector<std::filesystem::path>
       hands;                     // .glb files, each with its rig map and a name of its own
@@ -39,6 +42,7 @@ struct BuildConfig {
   int resolution = 128;            // pixels a side, 16..1024
   double distance = 0.7;           // metres from camera to palm centre
   double visible_forearm = 0.015;  // metres beyond the wrist joint, at most distance - 0.1
+  RowRenderer renderer = RowRenderer::kRaster;
   Light light;
   HogOptions hog{.mode = HogMode::kEdges};
   Jitter jitter;
@@ -48,6 +52,9 @@ struct BuildConfig {
   std::vector<std::string> hand_hashes;     // one a hand
   std::map<int, std::string> grasp_hashes;  // by grasp id
 };
+
+// The name by which configurations know it.
+std::string renderer_name(RowRenderer renderer);
 
 // Throws Error naming the option that is out of range.
 void check_config(const BuildConfig& config);
