@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "graspdb/database.h"
+#include "graspdb/image_io.h"
+#include "row_sheet.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
@@ -60,22 +62,26 @@ void print(const Database& database) {
   print_card(card_of(info));
 }
 
-}  // namespace
+struct Options {
+  std::string file, sheet;
+  bool json = false;
+  int rows = 60;
+};
 
-void add_info(CLI::App& app) {
+void run_info(const Options& options) {
+  const Database database = Database::open(options.file);
+  if (!options.sheet.empty()) {
+    write_png(options.sheet, draw_row_sheet(database, static_cast<std::size_t>(options.rows)));
+  }
+  if (options.json) {
+    fmt::print("{}\n", to_json(database).dump(1));
+  } else {
+    print(database);
+  }
+}
+
+void add_verify(CLI::App& app) {
   auto file = std::make_shared<std::string>();
-  auto json = std::make_shared<bool>(false);
-  CLI::App* info = app.add_subcommand("info", "Say what a database holds");
-  info->add_option("DB", *file, "The database")->required();
-  info->add_flag("--json", *json, "As JSON");
-  info->callback([file, json] {
-    const Database database = Database::open(*file);
-    if (*json) {
-      fmt::print("{}\n", to_json(database).dump(1));
-    } else {
-      print(database);
-    }
-  });
   CLI::App* verify =
       app.add_subcommand("verify", "Check every byte of a database against its checksums");
   verify->add_option("DB", *file, "The database")->required();
@@ -83,6 +89,23 @@ void add_info(CLI::App& app) {
     verify_database(*file);
     fmt::print("{}: every checksum holds\n", *file);
   });
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* info = app.add_subcommand("info", "Say what a database holds");
+  info->add_option("DB", options->file, "The database")->required();
+  info->add_flag("--json", options->json, "As JSON");
+  CLI::Option* sheet = info->add_option("--sheet", options->sheet,
+                                        "Also draw rows, evenly chosen, to this PNG; needs the "
+                                        "hand and grasp files that the database was built from");
+  info->add_option("--rows", options->rows, "How many the sheet shows")
+      ->check(CLI::Range(1, 1000))
+      ->needs(sheet);
+  info->callback([options] { run_info(*options); });
+  add_verify(app);
 }
 
 }  // namespace graspdb::cli

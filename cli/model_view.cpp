@@ -6,6 +6,7 @@
 #include <array>
 #include <opencv2/imgproc.hpp>
 
+#include "graspdb/error.h"
 #include "graspdb/renderer.h"
 
 namespace graspdb::cli {
@@ -37,26 +38,28 @@ Bgr tinted(std::uint8_t grey, const Tint& tint) {
   return colour;
 }
 
-cv::Mat_<cv::Vec3b> as_mat(ColorImage& image) {
-  return {image.height(), image.width(), reinterpret_cast<cv::Vec3b*>(image.data())};
-}
-
 const Tint& tint_of(std::uint8_t label, std::uint8_t part, const BoneSet& marked) {
   if (label == kObjectSurface) return kObject;
   return part > 0 && marked[part - 1] ? kMarked : kSkin;
 }
 
+}  // namespace
+
+cv::Mat_<cv::Vec3b> as_mat(ColorImage& image) {
+  return {image.height(), image.width(), reinterpret_cast<cv::Vec3b*>(image.data())};
+}
+
 ColorImage coloured(const View& view, const BoneSet& marked) {
+  GRASPDB_CHECK(marked.none() || !view.part.empty());
   ColorImage image(view.shading.width(), view.shading.height(), {kPaper, kPaper, kPaper});
   for (std::size_t i = 0; i < image.size(); ++i) {
     const std::uint8_t label = view.label.data()[i];
     if (label == kBackground) continue;
-    image.data()[i] = tinted(view.shading.data()[i], tint_of(label, view.part.data()[i], marked));
+    image.data()[i] = tinted(view.shading.data()[i],
+                             tint_of(label, view.part.empty() ? 0 : view.part.data()[i], marked));
   }
   return image;
 }
-
-}  // namespace
 
 ModelView::ModelView(const Hand& hand, const GraspPose& pose, const Solid* object)
     : posed_(pose_scene(hand, pose, object)) {
@@ -91,7 +94,15 @@ void Page::place(const cv::Mat_<cv::Vec3b>& picture, int x, int y) {
 }
 
 void Page::write(const std::string& text, int x, int y) {
-  cv::putText(as_mat(image_), text, {x, y}, cv::FONT_HERSHEY_SIMPLEX, 0.45, {40, 40, 40}, 1,
+  write_sized(text, x, y, 0.45);
+}
+
+void Page::write_small(const std::string& text, int x, int y) {
+  write_sized(text, x, y, 0.35);
+}
+
+void Page::write_sized(const std::string& text, int x, int y, double size) {
+  cv::putText(as_mat(image_), text, {x, y}, cv::FONT_HERSHEY_SIMPLEX, size, {40, 40, 40}, 1,
               cv::LINE_AA);
 }
 

@@ -37,6 +37,13 @@ using Framed = std::vector<Eigen::Vector3f>;
 
 using BoneSet = std::bitset<kBoneCount>;
 
+// A view in the colours of skin and object on paper. The skin of `marked` bones has another colour;
+// it needs the layer of parts.
+ColorImage coloured(const View& view, const BoneSet& marked = {});
+
+// A picture as OpenCV sees it, without a copy.
+cv::Mat_<cv::Vec3b> as_mat(ColorImage& image);
+
 class ModelView {
  public:
   // `object` may be null.
@@ -63,10 +70,13 @@ class Page {
 
   void place(const cv::Mat_<cv::Vec3b>& picture, int x, int y);
   void write(const std::string& text, int x, int y);  // the left end of the base line
+  void write_small(const std::string& text, int x, int y);
 
   const ColorImage& image() const { return image_; }
 
  private:
+  void write_sized(const std::string& text, int x, int y, double size);
+
   ColorImage image_;
 };
 

@@ -31,10 +31,9 @@ JitterDraw draw_of(const Plan& plan, const Shard& shard) {
           plan.variants[shard.variant].copy};
 }
 
-Row make_row(const Plan& plan, const PosedScene& posed, const JitterDraw& draw, std::size_t view) {
-  const Camera camera = crop_camera(plan.views[view], posed.centre, plan.config.distance,
-                                    posed.hand_vertices, plan.config.resolution);
-  const Light light = draw.light(plan.config.light, view);
+Row make_row(const Plan& plan, const Shard& shard, const PosedScene& posed, std::size_t view) {
+  const Camera camera = row_camera(plan, posed, view);
+  const Light light = row_light(plan, shard, view);
   const View picture = plan.config.renderer == RowRenderer::kRaster
                            ? rasterize(posed.scene, camera, light)
                            : render(posed.scene, camera, light);
@@ -59,18 +58,31 @@ SizedGrasp sized_grasp(const Plan& plan, const Shard& shard) {
   return {resized, close_grasp(resized, hand)};
 }
 
-void make_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step,
-               std::span<Row> rows) {
+RowPose pose_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step) {
   const JitterDraw draw = draw_of(plan, shard);
   GraspPose pose = pose_at_step(sized.grasp, plan.rest, sized.closed, step, plan.config.steps);
   pose.angles = draw.angles(pose.angles);
   const Hand hand = with_visible_forearm(plan.hands[shard.hand],
                                          draw.visible_forearm(plan.config.visible_forearm));
-  const Solid* object = plan.variants[shard.variant].holds ? sized.grasp.object.get() : nullptr;
-  const PosedScene posed = pose_scene(hand, pose, object);
+  const bool held = plan.variants[shard.variant].holds;
+  return {pose, pose_scene(hand, pose, held ? sized.grasp.object.get() : nullptr), held};
+}
+
+Camera row_camera(const Plan& plan, const PosedScene& posed, std::size_t view) {
+  return crop_camera(plan.views[view], posed.centre, plan.config.distance, posed.hand_vertices,
+                     plan.config.resolution);
+}
+
+Light row_light(const Plan& plan, const Shard& shard, std::size_t view) {
+  return draw_of(plan, shard).light(plan.config.light, view);
+}
+
+void make_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step,
+               std::span<Row> rows) {
+  const RowPose posed = pose_rows(plan, shard, sized, step);
   for (std::size_t view = 0; view < rows.size(); ++view) {
-    Row& row = rows[view] = make_row(plan, posed, draw, view);
-    row.label = make_label(plan.views[view], pose.angles);
+    Row& row = rows[view] = make_row(plan, shard, posed.scene, view);
+    row.label = make_label(plan.views[view], posed.pose.angles);
     row.grasp = static_cast<std::uint16_t>(sized.grasp.id);
     row.step = static_cast<std::uint8_t>(step);
   }

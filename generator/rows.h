@@ -4,6 +4,7 @@
 #include <span>
 
 #include "graspdb/database.h"
+#include "graspdb/row_poses.h"
 #include "plan.h"
 
 namespace graspdb {
@@ -17,6 +18,11 @@ struct SizedGrasp {
 // Takes about a second where jitter changes the object's size, for the hand is closed again. The
 // same for a copy's held and free rows. Thread-safe.
 SizedGrasp sized_grasp(const Plan& plan, const Shard& shard);
+
+// What all views of one step of a shard share, and what is each view's own. Pure and thread-safe.
+RowPose pose_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step);
+Camera row_camera(const Plan& plan, const PosedScene& posed, std::size_t view);
+Light row_light(const Plan& plan, const Shard& shard, std::size_t view);
 
 // Renders and describes all views of one step of a shard: rows[i] becomes view i, as a row of a
 // database of the shard alone (hand 0, variant 0). Pure and thread-safe.

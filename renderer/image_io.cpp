@@ -96,6 +96,13 @@ void write_exr(const fs::path& path, const Image<float>& image) {
   write_image(path, "openexr", spec, image.data());
 }
 
+void write_exr(const fs::path& path, const Image<Eigen::Vector3f>& image) {
+  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
+  OIIO::ImageSpec spec = spec_of(image, 3, OIIO::TypeDesc::FLOAT);
+  spec["compression"] = "zip";
+  write_image(path, "openexr", spec, image.data());
+}
+
 GrayImage read_gray(const fs::path& path) {
   const Decoded decoded = read_image(path);
   GrayImage image(decoded.width, decoded.height);

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <limits>
 
+#include "graspdb/error.h"
 #include "scene.h"
 
 namespace graspdb {
 namespace {
-
-bool inside_picture(const Intrinsics& k, const Eigen::Vector3d& in_camera) {
-  if (in_camera.z() <= 0) return false;
-  const Eigen::Vector2d pixel = k.project(in_camera);
-  return pixel.x() >= -0.5 && pixel.x() < k.width - 0.5 && pixel.y() >= -0.5 &&
-         pixel.y() < k.height - 0.5;
-}
 
 // A ray whose parameter is 0 at `from` and 1 at `to`.
 RTCRayHit ray_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
@@ -30,14 +24,24 @@ RTCRayHit ray_between(const Eigen::Vector3f& from, const Eigen::Vector3f& to) {
 
 }  // namespace
 
+bool inside_picture(const Intrinsics& k, const Eigen::Vector3d& in_camera) {
+  if (in_camera.z() <= 0) return false;
+  const Eigen::Vector2d pixel = k.project(in_camera);
+  return pixel.x() >= -0.5 && pixel.x() < k.width - 0.5 && pixel.y() >= -0.5 &&
+         pixel.y() < k.height - 0.5;
+}
+
 std::vector<bool> visible_points(const Scene& scene, const Camera& camera,
-                                 std::span<const Eigen::Vector3d> points_in_hand, double radius) {
+                                 std::span<const Eigen::Vector3d> points_in_hand,
+                                 std::span<const double> radii) {
+  GRASPDB_CHECK(radii.size() == points_in_hand.size());
   const embree::FlushDenormals flush;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   const Eigen::Vector3f eye = camera.camera_from_hand.inverse().translation.cast<float>();
   std::vector<bool> seen;
-  for (const Eigen::Vector3d& point : points_in_hand) {
+  for (std::size_t i = 0; i < points_in_hand.size(); ++i) {
+    const Eigen::Vector3d& point = points_in_hand[i];
     const Eigen::Vector3d in_camera = camera.camera_from_hand * point;
     if (!inside_picture(camera.intrinsics, in_camera)) {
       seen.push_back(false);
@@ -46,7 +50,7 @@ std::vector<bool> visible_points(const Scene& scene, const Camera& camera,
     RTCRayHit ray = ray_between(eye, point.cast<float>());
     rtcIntersect1(scene.state().embree.get(), &context, &ray);
     const bool is_own_skin =
-        ray.hit.geomID == 0 && ray.ray.tfar * in_camera.z() >= in_camera.z() - radius;
+        ray.hit.geomID == 0 && ray.ray.tfar * in_camera.z() >= in_camera.z() - radii[i];
     seen.push_back(ray.hit.geomID == RTC_INVALID_GEOMETRY_ID || is_own_skin);
   }
   return seen;

@@ -87,6 +87,19 @@ TEST(ImageIo, ExrKeepsFloatsAndInfinity) {
             std::vector<std::string>{"Z"});
 }
 
+TEST(ImageIo, ExrKeepsVectorsInTheirOrder) {
+  const TemporaryDirectory folder;
+  Image<Eigen::Vector3f> image(5, 4, Eigen::Vector3f(0.25F, -0.5F, 1.5F));
+  image.at(4, 3) = {-1, 0, 1e-4F};
+  write_exr(folder / "n.exr", image);
+  const auto stored = samples_of<float>(folder / "n.exr", OIIO::TypeDesc::FLOAT);
+  EXPECT_THAT(std::vector(stored.begin(), stored.begin() + 3),
+              ::testing::ElementsAre(0.25F, -0.5F, 1.5F));
+  EXPECT_THAT(std::vector(stored.end() - 3, stored.end()), ::testing::ElementsAre(-1, 0, 1e-4F));
+  const std::vector<std::string> names = {"R", "G", "B"};
+  EXPECT_EQ(OIIO::ImageBuf((folder / "n.exr").string()).spec().channelnames, names);
+}
+
 TEST(ImageIo, SamePictureSameBytesAndNothingElseInTheFolder) {
   const TemporaryDirectory folder;
   const auto depth = Image<float>(8, 8, 0.5F);

@@ -181,9 +181,14 @@ TEST(VisiblePoints, AJointIsSeenThroughItsOwnSkinOnly) {
   const Scene scene(joined(joined(near_finger, far_finger), side_finger), {}, &object);
   const std::vector<Eigen::Vector3d> joints = {{0, 0, 0.5},        {0, 0, 0.6},  {0.06, 0, 0.6},
                                                {0.06, 0.025, 0.6}, {0, 0, -0.5}, {0.5, 0, 0.6}};
-  const std::vector<bool> seen =
-      visible_points(scene, straight_camera(200, 200, 400), joints, 0.012);
-  EXPECT_THAT(seen, ElementsAre(true, false, false, true, false, false));
+  const Camera camera = straight_camera(200, 200, 400);
+  const std::vector<double> radii(joints.size(), 0.012);
+  EXPECT_THAT(visible_points(scene, camera, joints, radii),
+              ElementsAre(true, false, false, true, false, false));
+  // Each point has a radius of its own: this one is less than the skin over the first.
+  const std::vector<double> thin = {0.008, 0.012, 0.012, 0.012, 0.012, 0.012};
+  EXPECT_THAT(visible_points(scene, camera, joints, thin),
+              ElementsAre(false, false, false, true, false, false));
 }
 
 TEST(CropCamera, HoldsAllVerticesTightlyAndLooksFromTheDistance) {

@@ -84,9 +84,13 @@ Mask visible_hand(const View& view);
 
 // For each joint centre (a point inside the hand): whether it is seen, that is inside the picture,
 // and the first surface on the way to it is its own skin: no object, and no hand skin nearer than
-// the point's depth minus `radius` metres. Thread-safe.
+// the point's depth minus its own radius (metres, one a point). Thread-safe.
 std::vector<bool> visible_points(const Scene& scene, const Camera& camera,
-                                 std::span<const Eigen::Vector3d> points_in_hand, double radius);
+                                 std::span<const Eigen::Vector3d> points_in_hand,
+                                 std::span<const double> radii);
+
+// Whether a point of the camera frame lies in front of the camera and projects into the picture.
+bool inside_picture(const Intrinsics& k, const Eigen::Vector3d& in_camera);
 
 // The camera that looks along `camera_from_hand` rotation at `centre` from `distance` metres and
 // whose square picture of resolution x resolution pixels just holds all `vertices` plus a margin (a

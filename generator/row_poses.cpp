@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/row_poses.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include "graspdb/error.h"
+#include "plan.h"
+#include "rows.h"
+
+namespace graspdb {
+namespace {
+
+std::size_t grasp_ordinal(const Plan& plan, int id) {
+  const auto found = std::ranges::find(plan.grasps, id, &Grasp::id);
+  GRASPDB_CHECK(found != plan.grasps.end());
+  return static_cast<std::size_t>(found - plan.grasps.begin());
+}
+
+}  // namespace
+
+struct RowPoses::State {
+  explicit State(Plan loaded) : plan(std::move(loaded)) {}
+
+  Shard shard_of(const PoseKey& key) const {
+    GRASPDB_CHECK(key.hand < plan.hands.size() && key.variant < plan.variants.size());
+    return {key.hand, key.variant, grasp_ordinal(plan, key.grasp)};
+  }
+
+  // Closed once for all steps of all variants of a copy.
+  const SizedGrasp& sized(const Shard& shard) {
+    const std::lock_guard lock(mutex);
+    const int copy = plan.variants[shard.variant].copy;
+    const auto [entry, is_new] = known.try_emplace({shard.hand, shard.grasp, copy});
+    if (is_new) entry->second = sized_grasp(plan, shard);
+    return entry->second;
+  }
+
+  const Plan plan;
+
+ private:
+  std::mutex mutex;
+  std::map<std::tuple<std::size_t, std::size_t, int>, SizedGrasp> known;  // hand, grasp, copy
+};
+
+RowPoses::RowPoses(const BuildConfig& config, int threads)
+    : state_(std::make_unique<State>(make_plan(config, threads))) {}
+RowPoses::~RowPoses() = default;
+RowPoses::RowPoses(RowPoses&&) noexcept = default;
+RowPoses& RowPoses::operator=(RowPoses&&) noexcept = default;
+
+const BuildConfig& RowPoses::config() const {
+  return state_->plan.config;
+}
+
+const Hand& RowPoses::hand(std::size_t ordinal) const {
+  GRASPDB_CHECK(ordinal < state_->plan.hands.size());
+  return state_->plan.hands[ordinal];
+}
+
+const Grasp& RowPoses::grasp(int id) const {
+  return state_->plan.grasps[grasp_ordinal(state_->plan, id)];
+}
+
+RowPose RowPoses::pose(const PoseKey& key) const {
+  const Plan& plan = state_->plan;
+  GRASPDB_CHECK(key.step >= 1 && key.step <= plan.config.steps);
+  const Shard shard = state_->shard_of(key);
+  return pose_rows(plan, shard, state_->sized(shard), key.step);
+}
+
+Camera RowPoses::camera(const RowPose& pose, std::size_t view) const {
+  GRASPDB_CHECK(view < state_->plan.views.size());
+  return row_camera(state_->plan, pose.scene, view);
+}
+
+Light RowPoses::light(const PoseKey& key, std::size_t view) const {
+  return row_light(state_->plan, state_->shard_of(key), view);
+}
+
+}  // namespace graspdb

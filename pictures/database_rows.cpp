@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/database_rows.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "graspdb/error.h"
+
+namespace graspdb {
+namespace {
+
+constexpr double kSameAngle = 1e-4;  // radians; labels are rounded to float32
+
+BuildConfig config_for(const Database& database, std::span<const std::size_t> rows,
+                       std::optional<int> resolution) {
+  BuildConfig config = load_config(database.path());
+  std::set<int> grasps;
+  for (const std::size_t row : rows) grasps.insert(database.grasp(row));
+  config.only.assign(grasps.begin(), grasps.end());
+  if (resolution) config.resolution = *resolution;
+  return config;
+}
+
+[[noreturn]] void fail_changed(const Database& database, std::size_t row, const char* what) {
+  throw Error({database.path().string(), fmt::format("row {}", row),
+               fmt::format("the {} that its label has", what),
+               "another one: the closed grasp, the rest pose or the program has changed since"});
+}
+
+}  // namespace
+
+DatabaseRows::DatabaseRows(const Database& database, std::span<const std::size_t> rows,
+                           std::optional<int> resolution)
+    : database_(database), poses_(config_for(database, rows, resolution)) {
+  GRASPDB_CHECK(!rows.empty());
+}
+
+PoseKey DatabaseRows::key(std::size_t row) const {
+  return {database_.hand(row), database_.variant(row), database_.grasp(row), database_.step(row)};
+}
+
+const Grasp& DatabaseRows::grasp(std::size_t row) const {
+  return poses_.grasp(database_.grasp(row));
+}
+
+Subject DatabaseRows::subject(std::size_t row) const {
+  const PoseKey pose = key(row);
+  Subject subject(poses_.hand(pose.hand), poses_.pose(pose));
+  const auto label = database_.label(row);
+  for (int i = 0; i < kAngleCount; ++i) {
+    const double difference =
+        subject.pose().pose.angles[i] - static_cast<double>(label[static_cast<std::size_t>(3 + i)]);
+    if (!(std::abs(difference) < kSameAngle)) fail_changed(database_, row, "joint angles");
+  }
+  return subject;
+}
+
+LabelledView DatabaseRows::view(const Subject& subject, std::size_t row,
+                                const Layers& layers) const {
+  const Camera camera = poses_.camera(subject.pose(), database_.view(row));
+  const auto label = database_.label(row);
+  const Eigen::Matrix3d rotation = rotation_from_vector({label[0], label[1], label[2]});
+  if (!(angle_between(rotation, camera.camera_from_hand.rotation) < kSameAngle)) {
+    fail_changed(database_, row, "view");
+  }
+  return subject.seen(camera, poses_.light(key(row), database_.view(row)), layers);
+}
+
+}  // namespace graspdb
