@@ -17,6 +17,7 @@ namespace graspdb::cli {
 namespace {
 
 constexpr int kTile = 144;  // pixels
+constexpr int kGap = 10;
 constexpr int kCaption = 30;
 constexpr int kTitle = 26;
 
@@ -33,7 +34,8 @@ Mat tile(const DatabaseRows& rows, std::size_t row) {
 
 // As wide as a screen is.
 std::size_t columns_for(std::size_t tiles) {
-  return std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(tiles) * 1.8))));
+  return std::max<std::size_t>(
+      4, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(tiles) * 1.8))));
 }
 
 }  // namespace
@@ -48,14 +50,14 @@ ColorImage draw_row_sheet(const Database& database, std::size_t count) {
   parallel_for(tiles.size(), 0, [&](std::size_t i) { tiles[i] = tile(rows, chosen[i]); });
   const std::size_t columns = columns_for(tiles.size());
   const std::size_t lines = (tiles.size() + columns - 1) / columns;
-  Page page(static_cast<int>(columns) * kTile,
+  Page page(static_cast<int>(columns) * (kTile + kGap),
             kTitle + static_cast<int>(lines) * (kTile + kCaption));
   page.write(fmt::format("{}: {} of {} rows", database.path().filename().string(), tiles.size(),
                          database.rows()),
              6, 18);
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const std::size_t row = chosen[i];
-    const int x = static_cast<int>(i % columns) * kTile;
+    const int x = static_cast<int>(i % columns) * (kTile + kGap);
     const int y = kTitle + static_cast<int>(i / columns) * (kTile + kCaption);
     page.place(tiles[i], x, y);
     page.write_small(fmt::format("grasp {} step {} view {}", database.grasp(row),

@@ -47,7 +47,7 @@ std::optional<double> PixelCounts::occlusion() const {
 }
 
 std::array<double, kKeypointCount> keypoint_radii(const Hand& hand) {
-  constexpr double kOblique = 1.4;  // longer is the way through the flesh at 45 degrees
+  constexpr double kOblique = 1.25;  // the way through the flesh is longer when it is not square
   const std::vector<std::uint8_t> bones = strongest_bones(hand);
   const auto palm_from_bone = palm_from_bones(hand.skeleton, JointAngles::Zero());
   const Mesh straight = pose_skin(hand, palm_from_bone);

@@ -39,6 +39,12 @@ OIIO::ImageSpec spec_of(const Image<Pixel>& image, int channels, OIIO::TypeDesc 
   return {image.width(), image.height(), channels, type};
 }
 
+OIIO::ImageSpec exr_spec(OIIO::ImageSpec spec) {
+  spec["compression"] = "zip";
+  spec["DateTime"] = "1970:01:01 00:00:00";  // else it is now, and no two files are the same
+  return spec;
+}
+
 struct Decoded {
   int width, height, channels;
   std::vector<std::uint8_t> samples;
@@ -90,17 +96,14 @@ void write_png16(const fs::path& path, const Image<std::uint16_t>& image) {
 }
 
 void write_exr(const fs::path& path, const Image<float>& image) {
-  OIIO::ImageSpec spec = spec_of(image, 1, OIIO::TypeDesc::FLOAT);
+  OIIO::ImageSpec spec = exr_spec(spec_of(image, 1, OIIO::TypeDesc::FLOAT));
   spec.channelnames = {"Z"};
-  spec["compression"] = "zip";
   write_image(path, "openexr", spec, image.data());
 }
 
 void write_exr(const fs::path& path, const Image<Eigen::Vector3f>& image) {
   static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
-  OIIO::ImageSpec spec = spec_of(image, 3, OIIO::TypeDesc::FLOAT);
-  spec["compression"] = "zip";
-  write_image(path, "openexr", spec, image.data());
+  write_image(path, "openexr", exr_spec(spec_of(image, 3, OIIO::TypeDesc::FLOAT)), image.data());
 }
 
 GrayImage read_gray(const fs::path& path) {

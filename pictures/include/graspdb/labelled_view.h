@@ -36,8 +36,8 @@ struct LabelledView {
   std::optional<RigidTransform> camera_from_object;  // of a held object
 };
 
-// How much of its own flesh may lie before each keypoint, metres: 1.4 times as much as there is
-// around it on the straight hand, so that it counts as seen through it up to 45 degrees off square.
+// How much of its own flesh may lie before each keypoint, metres: 1.25 times as much as there is
+// around it on the straight hand, so that it counts as seen through it up to some 37 degrees off square.
 // Of a tip it is what the last joint has. Another finger before it is thicker.
 std::array<double, kKeypointCount> keypoint_radii(const Hand& hand);
 

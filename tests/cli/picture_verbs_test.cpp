@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// render, export and info --sheet: what they write and how they refuse.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "graspdb/file.h"
+#include "graspdb/image_io.h"
+#include "program.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using testing::run_program;
+
+class PictureVerbs : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    directory_ = new testing::TemporaryDirectory;
+    ASSERT_EQ(testing::build_tiny(*directory_ / "tiny.graspdb").code, 0);
+  }
+  static void TearDownTestSuite() { delete directory_; }
+
+  static std::string in(const std::string& name) { return (*directory_ / name).string(); }
+  static void expect_refused(const std::string& arguments, int code, const std::string& told) {
+    const auto outcome = run_program(arguments + " --out " + in("refused"));
+    EXPECT_EQ(outcome.code, code) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(told)) << arguments;
+    EXPECT_FALSE(std::filesystem::exists(in("refused"))) << arguments;
+  }
+
+  static inline testing::TemporaryDirectory* directory_ = nullptr;
+};
+
+TEST_F(PictureVerbs, AGraspAndTheRowOfItAreOnePicture) {
+  const auto grasp = run_program(
+      "render --grasp 9 --steps 1 --step 1 --views 24 --view 17 "
+      "--resolution 32 --out " +
+      in("grasp"));
+  ASSERT_EQ(grasp.code, 0) << grasp.err;
+  const auto row =
+      run_program("render --db " + in("tiny.graspdb") + " --row 17 --out " + in("row"));
+  ASSERT_EQ(row.code, 0) << row.err;
+  for (const char* file : {"shading.png", "label.png", "part.png", "depth.png", "depth.exr",
+                           "normal.exr", "hand_amodal.png", "object_amodal.png"}) {
+    EXPECT_TRUE(read_text(in("grasp") + "/" + file) == read_text(in("row") + "/" + file)) << file;
+  }
+  const json of_grasp = json::parse(read_text(in("grasp/view.json")));
+  const json of_row = json::parse(read_text(in("row/view.json")));
+  EXPECT_EQ(of_row.at("source").at("row"), 17);
+  EXPECT_EQ(of_row.at("keypoints"), of_grasp.at("keypoints"));
+  EXPECT_EQ(of_row.at("source").at("grasp_name"), "Palmar Pinch");
+  EXPECT_GT(read_color(in("row/sheet.png")).width(), 1000);
+}
+
+TEST_F(PictureVerbs, APoseIsReadFromAFile) {
+  write_text(in("pose.toml"), "yaw_deg = 180\n[angles_deg]\nindex_pip_flexion = 40\n");
+  const auto outcome =
+      run_program("render --pose " + in("pose.toml") + " --hand " +
+                  GRASPDB_SOURCE_DIR "/assets/hands/child.glb --out " + in("pose"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json view = json::parse(read_text(in("pose/view.json")));
+  EXPECT_EQ(view.at("source").at("hand"), "child");
+  EXPECT_NEAR(view.at("angles").at("index_pip_flexion").get<double>(), 0.698132, 1e-6);
+  EXPECT_TRUE(view.at("camera_from_object").is_null());
+}
+
+TEST_F(PictureVerbs, OneThingIsRenderedAtATime) {
+  const std::string database = in("tiny.graspdb");
+  expect_refused("render", 2, "--grasp");
+  expect_refused("render --grasp 9 --db " + database, 2, "--db");
+  expect_refused("render --db " + database, 2, "--row");
+  expect_refused("render --db " + database + " --row 0 --views 3", 2, "--views");
+  expect_refused("render --grasp 77", 1, "77");
+  expect_refused("render --grasp 9 --step 6", 1, "--step");
+  expect_refused("render --grasp 9 --view 648", 1, "--view");
+  expect_refused("render --db " + database + " --row 24", 1, "--row");
+}
+
+TEST_F(PictureVerbs, ChosenRowsAreExported) {
+  const auto outcome = run_program("export " + in("tiny.graspdb") +
+                                   " --format coco --rows 2-5,9,4 --out " + in("coco"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::vector<int> rows;
+  const json coco = json::parse(read_text(in("coco/annotations.json")));
+  for (const json& a : coco.at("annotations")) {
+    rows.push_back(a.at("image_id"));
+  }
+  EXPECT_THAT(rows, ::testing::ElementsAre(2, 3, 4, 5, 9));
+  const auto sampled = [&](const char* seed) {
+    run_program("export " + in("tiny.graspdb") + " --format coco --sample 5 --seed " + seed +
+                " --out " + in("sample"));
+    return json::parse(read_text(in("sample/annotations.json"))).at("images");
+  };
+  EXPECT_EQ(sampled("1").size(), 5u);
+  EXPECT_EQ(sampled("1"), sampled("1"));
+  EXPECT_NE(sampled("1"), sampled("2"));
+}
+
+TEST_F(PictureVerbs, RowsThatAreNotThereAreNamed) {
+  const std::string exporting = "export " + in("tiny.graspdb") + " --format coco ";
+  for (const char* rows : {"24", "3-2", "0-24", "1,", "x", "1-", "-1"}) {
+    expect_refused(exporting + "--rows=" + rows, 1, "--rows");
+  }
+  expect_refused(exporting + "--grasp 3", 1, "none of these");
+  expect_refused("export " + in("tiny.graspdb"), 2, "--format");
+}
+
+TEST_F(PictureVerbs, ASheetShowsRowsInEveryTile) {
+  const auto outcome =
+      run_program("info " + in("tiny.graspdb") + " --rows 8 --sheet " + in("sheet.png"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const GrayImage page = read_gray(in("sheet.png"));
+  const int width = page.width() / 4, height = (page.height() - 26) / 2;
+  for (int tile = 0; tile < 8; ++tile) {
+    int dark = 0;
+    for (int y = 0; y < 144; ++y) {
+      for (int x = 0; x < 144; ++x) {
+        dark += page.at(tile % 4 * width + x, 26 + tile / 4 * height + y) < 235 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(dark, 1500) << tile;
+  }
+}
+
+}  // namespace
+}  // namespace graspdb
