@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The table of docs/jitter.md: how far a hand whose angles were varied after it had closed is in
-// its object, for each amplitude in degrees that is given.
+// The figures of docs/jitter.md. `angles 0 2`: how far a hand whose angles were varied by so many
+// degrees after it had closed is in its object. `sizes 0.9 1.1`: which grasps pass their check with
+// objects that are so many times as large, the hand closed again on them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ std::string median_p95_most(std::vector<double> values) {
                      values[values.size() * 95 / 100], values.back());
 }
 
-void print(const Grasps& grasps, double angles_deg) {
+void print_angles(const Grasps& grasps, double angles_deg) {
   const std::size_t count = grasps.all.size() * kDraws;
   std::vector<double> in_object(count), in_digits(count);
   std::vector<std::uint8_t> loose(count);
@@ -50,10 +51,36 @@ void print(const Grasps& grasps, double angles_deg) {
   std::fflush(stdout);
 }
 
+void print_sizes(const Grasps& grasps, double factor) {
+  std::vector<GraspCheck> checks(grasps.all.size());
+  parallel_for(checks.size(), 0, [&](std::size_t i) {
+    Grasp grasp = grasps.all[i];
+    grasp.object = scaled(grasp.object, factor);
+    const GraspPose closed = close_grasp(grasp, grasps.hand);
+    checks[i] = check_grasp(grasp, grasps.hand, grasps.rest, closed);
+  });
+  const auto passed = std::count_if(checks.begin(), checks.end(),
+                                    [](const GraspCheck& check) { return check.pass; });
+  fmt::print("size {:g}: {} of {} pass\n", factor, passed, checks.size());
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    for (const std::string& failure : checks[i].failures)
+      fmt::print("  {} {}: {}\n", grasps.all[i].id, grasps.all[i].name, failure);
+  }
+  std::fflush(stdout);
+}
+
 }  // namespace
 }  // namespace graspdb
 
-int main(int count, char** amplitudes) {
+int main(int count, char** arguments) {
   const graspdb::Grasps grasps;
-  for (int i = 1; i < count; ++i) graspdb::print(grasps, std::strtod(amplitudes[i], nullptr));
+  const bool sizes = count > 1 && std::string_view(arguments[1]) == "sizes";
+  for (int i = 2; i < count; ++i) {
+    const double value = std::strtod(arguments[i], nullptr);
+    if (sizes) {
+      graspdb::print_sizes(grasps, value);
+    } else {
+      graspdb::print_angles(grasps, value);
+    }
+  }
 }
