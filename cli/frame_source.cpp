@@ -73,16 +73,10 @@ std::vector<fs::path> pictures_of(const fs::path& folder) {
 }
 
 // The mask named like the frame, with any ending.
-Mask read_mask(const fs::path& folder, const fs::path& frame, const ColorImage& color) {
+Mask find_mask(const fs::path& folder, const fs::path& frame, const ColorImage& color) {
   for (const char* ending : {".png", ".jpg", ".bmp"}) {
     const fs::path file = folder / (frame.stem().string() + ending);
-    if (!fs::exists(file)) continue;
-    Mask mask = read_gray(file);
-    for (std::uint8_t& pixel : mask) pixel = pixel > 127 ? 255 : 0;
-    if (mask.width() == color.width() && mask.height() == color.height()) return mask;
-    throw Error({file.string(), "",
-                 fmt::format("a mask of {} x {} pixels", color.width(), color.height()),
-                 fmt::format("{} x {}", mask.width(), mask.height())});
+    if (fs::exists(file)) return read_mask(file, color);
   }
   throw Error({folder.string(), frame.stem().string(), "a mask of that name", "none"});
 }
@@ -108,7 +102,7 @@ class Pictures : public FrameSource {
     InputFrame frame{.index = static_cast<int>(next_),
                      .time = static_cast<double>(next_) / frames_per_second()};
     frame.color = read_color(file);
-    if (!masks_.empty()) frame.mask = read_mask(masks_, file, frame.color);
+    if (!masks_.empty()) frame.mask = find_mask(masks_, file, frame.color);
     ++next_;
     return frame;
   }
@@ -143,7 +137,7 @@ class Video : public FrameSource {
     if (frame.type() != CV_8UC3) fail("frames that are not 8-bit colour");
     InputFrame result{
         .index = next_, .time = next_ / frames_per_second(), .color = to_image(frame)};
-    if (!masks_.empty()) result.mask = read_mask(masks_, fmt::format("{:06}", next_), result.color);
+    if (!masks_.empty()) result.mask = find_mask(masks_, fmt::format("{:06}", next_), result.color);
     ++next_;
     return result;
   }
@@ -178,6 +172,15 @@ std::optional<int> camera_number(const std::string& input) {
 
 bool is_sequence(const fs::path& input) {
   return fs::exists(input / "sequence.json");
+}
+
+Mask read_mask(const fs::path& file, const ColorImage& color) {
+  Mask mask = read_gray(file);
+  for (std::uint8_t& pixel : mask) pixel = pixel > 127 ? 255 : 0;
+  if (mask.width() == color.width() && mask.height() == color.height()) return mask;
+  throw Error({file.string(), "",
+               fmt::format("a mask of {} x {} pixels", color.width(), color.height()),
+               fmt::format("{} x {}", mask.width(), mask.height())});
 }
 
 std::unique_ptr<FrameSource> open_source(const std::string& input, const fs::path& masks) {

@@ -40,6 +40,9 @@ std::optional<int> camera_number(const std::string& input);
 // Whether it is the folder of a rendered sequence.
 bool is_sequence(const std::filesystem::path& input);
 
+// The mask of a picture: what is brighter than 127. Throws Error when it has another size.
+Mask read_mask(const std::filesystem::path& file, const ColorImage& color);
+
 // `masks` is a folder of masks named as the frames, or empty. Throws Error for what cannot be read.
 std::unique_ptr<FrameSource> open_source(const std::string& input,
                                          const std::filesystem::path& masks);

@@ -5,6 +5,7 @@
 
 #include "graspdb/database.h"
 #include "graspdb/image_io.h"
+#include "row_selection.h"
 #include "row_sheet.h"
 #include "verbs.h"
 
@@ -71,7 +72,10 @@ struct Options {
 void run_info(const Options& options) {
   const Database database = Database::open(options.file);
   if (!options.sheet.empty()) {
-    write_png(options.sheet, draw_row_sheet(database, static_cast<std::size_t>(options.rows)));
+    const auto rows = spread_rows(database.rows(), static_cast<std::size_t>(options.rows));
+    const std::string title = fmt::format("{}: {} of {} rows", database.path().filename().string(),
+                                          rows.size(), database.rows());
+    write_png(options.sheet, draw_row_sheet(database, rows, title));
   }
   if (options.json) {
     fmt::print("{}\n", to_json(database).dump(1));

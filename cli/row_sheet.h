@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "graspdb/database.h"
 #include "graspdb/image.h"
 
 namespace graspdb::cli {
 
-// `count` rows, evenly chosen, as the database's configuration renders them; below each its number,
-// grasp, step and view. Throws Error as DatabaseRows does.
-ColorImage draw_row_sheet(const Database& database, std::size_t count);
+// Rows as the database's configuration renders them, below each its grasp, step, view and number.
+// `first`, when it is not empty, is a square picture that stands before them under its `title`.
+// Throws Error as DatabaseRows does, and when there are no rows.
+ColorImage draw_row_sheet(const Database& database, std::span<const std::size_t> chosen,
+                          const std::string& title, const ColorImage& first = {});
 
 }  // namespace graspdb::cli

@@ -126,5 +126,33 @@ TEST_F(PictureVerbs, ASheetShowsRowsInEveryTile) {
   }
 }
 
+// A picture of row 17 as a large frame, and its mask.
+TEST_F(PictureVerbs, ThePictureOfARowIsNearestToThatRow) {
+  ASSERT_EQ(run_program("render --resolution 256 --db " + in("tiny.graspdb") + " --row 17 --out " +
+                        in("asked"))
+                .code,
+            0);
+  GrayImage mask = read_gray(in("asked/label.png"));
+  for (std::uint8_t& pixel : mask) pixel = pixel == 1 ? 255 : 0;
+  write_png(in("mask.png"), mask);
+  const std::string query = "query " + in("tiny.graspdb") + " " + in("asked/shading.png");
+  const auto outcome =
+      run_program(query + " -k 3 --json --mask " + in("mask.png") + " --out " + in("near.png"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out);
+  ASSERT_EQ(answer.at("neighbours").size(), 3u);
+  EXPECT_EQ(answer.at("neighbours").at(0).at("row"), 17);
+  EXPECT_EQ(answer.at("neighbours").at(0).at("grasp").at("id"), 9);
+  EXPECT_LT(answer.at("neighbours").at(0).at("distance"),
+            answer.at("neighbours").at(1).at("distance"));
+  EXPECT_GT(read_color(in("near.png")).width(), 500);
+  const auto grey = run_program(query);  // has no skin colour
+  EXPECT_EQ(grey.code, 1);
+  EXPECT_THAT(grey.err, HasSubstr("a hand"));
+  const auto other_size = run_program(query + " --mask " + in("near.png"));
+  EXPECT_EQ(other_size.code, 1);
+  EXPECT_THAT(other_size.err, HasSubstr("256 x 256"));
+}
+
 }  // namespace
 }  // namespace graspdb
