@@ -37,8 +37,8 @@ struct LabelledView {
 };
 
 // How much of its own flesh may lie before each keypoint, metres: 1.25 times as much as there is
-// around it on the straight hand, so that it counts as seen through it up to some 37 degrees off square.
-// Of a tip it is what the last joint has. Another finger before it is thicker.
+// around it on the straight hand, so that it counts as seen through it up to some 37 degrees off
+// square. Of a tip it is what the last joint has. Another finger before it is thicker.
 std::array<double, kKeypointCount> keypoint_radii(const Hand& hand);
 
 // A hand in one pose, to be looked at from anywhere. Immutable; thread-safe.
