@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray-casts a posed hand and what it holds with Embree.
+// Pictures of a posed hand and what it holds: seen by rays (Embree), or drawn triangle by triangle.
 #pragma once
 
 #include <Eigen/Core>
@@ -72,11 +72,14 @@ struct View {
 View render(const Scene& scene, const Camera& camera, const Light& light = {},
             const Layers& layers = {});
 
-// The picture that render() makes without layers, several times faster for meshes whose triangles
-// are about as large as pixels: each triangle is tested against the rays of the pixels around it,
-// where render() tests each ray against the triangles around it. Only triangles that face the
-// camera are drawn, which are all that can be seen of closed meshes that turn their outside
-// outwards. The same bytes on every processor. Thread-safe.
+// The picture that render() makes without layers, four times as fast for a hand at the size of a
+// row: each triangle is tested against the rays of the few pixels around it, where render() tests
+// each ray against the triangles around it. For closed meshes whose triangles run counter-clockwise
+// seen from outside: of them, only what faces the camera can be seen and is drawn, and triangles
+// that skinning has turned over, from both sides. Pictures agree in all but a few pixels of a
+// million at outlines, and in shading but for 3 pixels of 10,000 (where skin has folded into
+// itself, Embree sees it from inside). A scene that comes nearer to the camera than 20 mm is left
+// to render(); all others give the same bytes with every instruction set. Thread-safe.
 View rasterize(const Scene& scene, const Camera& camera, const Light& light = {});
 
 // The visible hand: 255 where the label is kHandSurface.
