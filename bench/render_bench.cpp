@@ -33,20 +33,18 @@ const Plan& plan() {
 }
 
 struct Views {
-  Scene scene;
+  RowPose pose;
   std::vector<Camera> cameras;
 };
 
 Views make_views(std::size_t grasp) {
-  const GraspPose pose = pose_at_step(plan().grasps[grasp], plan().rest, plan().closed[0][grasp],
-                                      kStep, plan().config.steps);
-  PosedScene posed = pose_scene(plan().hands[0], pose, plan().grasps[grasp].object.get());
+  const Shard shard = {.hand = 0, .variant = 0, .grasp = grasp};
+  RowPose pose = pose_rows(plan(), shard, sized_grasp(plan(), shard), kStep);
   std::vector<Camera> cameras;
-  for (const Eigen::Matrix3d& view : plan().views) {
-    cameras.push_back(crop_camera(view, posed.centre, plan().config.distance, posed.hand_vertices,
-                                  plan().config.resolution));
+  for (std::size_t view = 0; view < plan().views.size(); ++view) {
+    cameras.push_back(row_camera(plan(), pose.scene, view));
   }
-  return {std::move(posed.scene), std::move(cameras)};
+  return {std::move(pose), std::move(cameras)};
 }
 
 std::size_t grasp_of(const benchmark::State& state) {
@@ -84,7 +82,8 @@ void measure(benchmark::State& state, const Body& body) {
   const Views& views = views_of(grasp_of(state));
   const embree::FlushDenormals flush;
   for (auto _ : state) {
-    for (const Camera& camera : views.cameras) benchmark::DoNotOptimize(body(views.scene, camera));
+    for (const Camera& camera : views.cameras)
+      benchmark::DoNotOptimize(body(views.pose.scene, camera));
   }
 }
 
@@ -108,8 +107,9 @@ void raster_views(benchmark::State& state) {
 
 void row(benchmark::State& state) {
   const Shard shard = {.hand = 0, .variant = 0, .grasp = grasp_of(state)};
+  const SizedGrasp grasp = sized_grasp(plan(), shard);
   std::vector<Row> rows(plan().views.size());
-  for (auto _ : state) make_rows(plan(), shard, kStep, rows);
+  for (auto _ : state) make_rows(plan(), shard, grasp, kStep, rows);
 }
 
 // One line a grasp and thing measured, instead of nine.

@@ -34,9 +34,7 @@ JitterDraw draw_of(const Plan& plan, const Shard& shard) {
 Row make_row(const Plan& plan, const Shard& shard, const PosedScene& posed, std::size_t view) {
   const Camera camera = row_camera(plan, posed, view);
   const Light light = row_light(plan, shard, view);
-  const View picture = plan.config.renderer == RowRenderer::kRaster
-                           ? rasterize(posed.scene, camera, light)
-                           : render(posed.scene, camera, light);
+  const View picture = row_view(posed.scene, camera, light, plan.config.renderer);
   const Mask hand = visible_hand(picture);
   Row row;
   row.view = static_cast<std::uint32_t>(view);
@@ -46,6 +44,11 @@ Row make_row(const Plan& plan, const Shard& shard, const PosedScene& posed, std:
 }
 
 }  // namespace
+
+View row_view(const Scene& scene, const Camera& camera, const Light& light, RowRenderer renderer) {
+  return renderer == RowRenderer::kRaster ? rasterize(scene, camera, light)
+                                          : render(scene, camera, light);
+}
 
 SizedGrasp sized_grasp(const Plan& plan, const Shard& shard) {
   const Hand& hand = plan.hands[shard.hand];

@@ -22,7 +22,7 @@ Hand default_hand(const std::string& name) {
 
 Subject bare(const Hand& hand, const JointAngles& angles) {
   const GraspPose pose{.angles = angles};
-  return {hand, {pose, pose_scene(hand, pose, nullptr)}, false};
+  return {hand, {pose, pose_scene(hand, pose, nullptr), false}};
 }
 
 Camera camera_at(const Subject& subject, double yaw, double pitch = 0) {

@@ -28,6 +28,9 @@ struct RowPose {
   bool held = true;  // is the object there
 };
 
+// What a row is described from: shading and label.
+View row_view(const Scene& scene, const Camera& camera, const Light& light, RowRenderer renderer);
+
 // All hands and grasps of a configuration, loaded and closed. Thread-safe.
 class RowPoses {
  public:

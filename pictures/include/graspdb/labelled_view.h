@@ -50,7 +50,9 @@ class Subject {
 
   // A keypoint is visible when what is seen first on the way to it is its own flesh: no object, and
   // no hand skin nearer than its depth minus its radius (visible_points).
-  LabelledView seen(const Camera& camera, const Light& light, const Layers& layers) const;
+  // Shading and label are those that `renderer` gives to rows, the other layers are cast rays.
+  LabelledView seen(const Camera& camera, const Light& light, const Layers& layers,
+                    RowRenderer renderer = RowRenderer::kRaster) const;
 
  private:
   RowPose pose_;
