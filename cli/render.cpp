@@ -59,8 +59,7 @@ Rendered render_grasp(const Options& options) {
   const PoseKey key{.grasp = options.grasp, .step = options.step};
   const Subject subject(poses.hand(0), poses.pose(key));
   const Grasp& grasp = poses.grasp(options.grasp);
-  return {subject.seen(poses.camera(subject.pose(), view), poses.light(key, view), kAllLayers,
-                       config.renderer),
+  return {subject.seen(poses.camera(subject.pose(), view), poses.light(key, view), kAllLayers),
           {.hand = poses.hand(0).name,
            .variant = options.free ? "free" : "held",
            .grasp = grasp.id,
@@ -82,8 +81,7 @@ Rendered render_pose(const Options& options) {
   const PosedScene& scene = subject.pose().scene;
   const Camera camera = crop_camera(pose.camera_from_hand, scene.centre, config.distance,
                                     scene.hand_vertices, config.resolution);
-  return {subject.seen(camera, config.light, kAllLayers, config.renderer),
-          {.hand = hand.name, .variant = "free"}};
+  return {subject.seen(camera, config.light, kAllLayers), {.hand = hand.name, .variant = "free"}};
 }
 
 Rendered render_row(const Options& options) {

@@ -64,8 +64,7 @@ LabelledView DatabaseRows::view(const Subject& subject, std::size_t row,
   if (!(angle_between(rotation, camera.camera_from_hand.rotation) < kSameAngle)) {
     fail_changed(database_, row, "view");
   }
-  return subject.seen(camera, poses_.light(key(row), database_.view(row)), layers,
-                      poses_.config().renderer);
+  return subject.seen(camera, poses_.light(key(row), database_.view(row)), layers);
 }
 
 }  // namespace graspdb

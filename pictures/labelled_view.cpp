@@ -65,13 +65,9 @@ Subject::Subject(const Hand& hand, RowPose pose)
       joints_(keypoints_in_palm(hand.skeleton, pose_.pose.angles)),
       radii_(keypoint_radii(hand)) {}
 
-LabelledView Subject::seen(const Camera& camera, const Light& light, const Layers& layers,
-                           RowRenderer renderer) const {
+LabelledView Subject::seen(const Camera& camera, const Light& light, const Layers& layers) const {
   LabelledView view;
   view.picture = render(pose_.scene.scene, camera, light, layers);
-  View described = row_view(pose_.scene.scene, camera, light, renderer);
-  view.picture.shading = std::move(described.shading);
-  view.picture.label = std::move(described.label);
   view.camera = camera;
   view.angles = pose_.pose.angles;
   std::vector<Eigen::Vector3d> in_hand;

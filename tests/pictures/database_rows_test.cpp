@@ -24,9 +24,9 @@ std::vector<std::size_t> all_rows(const Database& database) {
 }
 
 // All rows of the small database as views, poses made once.
-std::vector<LabelledView> all_views(const Layers& layers, std::optional<int> resolution = {}) {
+std::vector<LabelledView> all_views(const Layers& layers) {
   const Database& database = testing::small_database();
-  const DatabaseRows rows(database, all_rows(database), resolution);
+  const DatabaseRows rows(database, all_rows(database));
   std::vector<LabelledView> views;
   std::optional<Subject> subject;
   for (std::size_t row = 0; row < database.rows(); ++row) {
@@ -36,15 +36,29 @@ std::vector<LabelledView> all_views(const Layers& layers, std::optional<int> res
   return views;
 }
 
-TEST(DatabaseRows, APictureIsTheOneThatTheRowWasDescribedFrom) {
+std::size_t unlike_pixels(const GrayImage& a, const GrayImage& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += a.data()[i] != b.data()[i];
+  return count;
+}
+
+TEST(DatabaseRows, APictureShowsWhatTheRowWasDescribedFrom) {
   const Database& database = testing::small_database();
-  const std::vector<LabelledView> views = all_views({});
-  for (std::size_t row = 0; row < database.rows(); ++row) {
-    const View& picture = views[row].picture;
-    const Descriptor hog = describe(picture.shading, visible_hand(picture),
-                                    hog_from_name(database.info().hog, "the database"));
-    EXPECT_TRUE(std::ranges::equal(hog, database.hog(row))) << row;
+  const HogOptions hog = hog_from_name(database.info().hog, "the database");
+  const std::vector<std::size_t> every = all_rows(database);
+  const DatabaseRows rows(database, every);
+  std::size_t unlike = 0;
+  for (const std::size_t row : every) {
+    const Subject subject = rows.subject(row);
+    const LabelledView shown = rows.view(subject, row, {});
+    const View described =
+        row_view(subject.pose().scene.scene, shown.camera, {}, RowRenderer::kRaster);
+    EXPECT_TRUE(std::ranges::equal(describe(described.shading, visible_hand(described), hog),
+                                   database.hog(row)))
+        << row;
+    unlike += unlike_pixels(shown.picture.label, described.label);
   }
+  EXPECT_LE(unlike, 3);
 }
 
 TEST(DatabaseRows, OneRowNeedsItsGraspOnly) {
@@ -89,10 +103,26 @@ TEST(DatabaseRows, HeldRowsHideWhatFreeOnesShow) {
   EXPECT_GT(hidden_rows, 5);
 }
 
+// From enough sides that none weighs too much.
+std::vector<LabelledView> many_views() {
+  BuildConfig config = testing::small_config();
+  config.views = 100;
+  config.resolution = 128;
+  const RowPoses poses(config);
+  std::vector<LabelledView> views;
+  for (const auto& [grasp, step] : {std::pair(3, 1), {3, 2}, {9, 1}, {9, 2}}) {
+    const Subject subject(poses.hand(0), poses.pose({.grasp = grasp, .step = step}));
+    for (std::size_t view = 0; view < 100; ++view) {
+      views.push_back(subject.seen(poses.camera(subject.pose(), view), {}, {.parts = true}));
+    }
+  }
+  return views;
+}
+
 // Would fail if ring and little finger were swapped in keypoints or parts.
 TEST(DatabaseRows, AVisibleJointLiesOnSkinOfItsOwnDigit) {
   std::array<int, kKeypointCount> on_own{}, on_other{};
-  for (const LabelledView& view : all_views({.parts = true}, 128)) {
+  for (const LabelledView& view : many_views()) {
     for (int i = 0; i < kKeypointCount; ++i) {
       const auto place = static_cast<std::size_t>(i);
       if (view.joint_states[place] != kVisibleInPicture) continue;
@@ -105,7 +135,7 @@ TEST(DatabaseRows, AVisibleJointLiesOnSkinOfItsOwnDigit) {
   for (std::size_t i = 0; i < kKeypointCount; ++i) {
     EXPECT_GT(on_own[i], 20) << keypoint_name(static_cast<int>(i));
     // At the edges of a palm a joint's own flesh may bear its neighbour's skin.
-    EXPECT_LT(on_other[i], on_own[i] / 3) << keypoint_name(static_cast<int>(i));
+    EXPECT_LT(on_other[i], on_own[i] / 2) << keypoint_name(static_cast<int>(i));
   }
 }
 

@@ -50,9 +50,9 @@ class Subject {
 
   // A keypoint is visible when what is seen first on the way to it is its own flesh: no object, and
   // no hand skin nearer than its depth minus its radius (visible_points).
-  // Shading and label are those that `renderer` gives to rows, the other layers are cast rays.
-  LabelledView seen(const Camera& camera, const Light& light, const Layers& layers,
-                    RowRenderer renderer = RowRenderer::kRaster) const;
+  // All layers are cast rays (render()), so that they agree with each other; rows are drawn by
+  // row_view(), which gives another label to a pixel or two in a million, on edges.
+  LabelledView seen(const Camera& camera, const Light& light, const Layers& layers) const;
 
  private:
   RowPose pose_;
