@@ -64,9 +64,6 @@ if __name__ == "__main__":
     write("egg.obj", "A hen's egg, 44 mm across, 58 mm high.", egg())
     write("torch.obj", "A torch, 185 mm long: a tube of 33 mm, a head of 50 mm.",
           turned((30, 0), (33, 2), (33, 130), (50, 146), (50, 183), (47, 185)))
-    write("dumbbell.obj", "A dumbbell, 190 mm long: a bar of 29 mm between two heads of 66 mm.",
-          turned((60, 0), (66, 4), (66, 36), (60, 40), (29, 41), (29, 149), (60, 150), (66, 154),
-                 (66, 186), (60, 190)))
     write("door_knob.obj", "A door knob of 58 mm on a neck of 22 mm.",
           turned((48, 0), (48, 5), (22, 6), (22, 28), (40, 33), (54, 40), (58, 48), (54, 56),
                  (42, 62), (20, 65)))
