@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "console.h"
+#include "eval_files.h"
 #include "graspdb/error.h"
 #include "graspdb/evaluate.h"
 #include "graspdb/file.h"
@@ -23,32 +24,6 @@ struct Options {
   bool json = false;
 };
 
-nlohmann::json to_json(const Summary& s) {
-  return {{"pose_error", s.pose_error},
-          {"rotation_deg",
-           {{"mean", s.rotation_deg.mean},
-            {"median", s.rotation_deg.median},
-            {"p90", s.rotation_deg.p90}}},
-          {"joint_deg", s.joint_deg},
-          {"mpjpe_mm", s.mpjpe_mm},
-          {"pa_mpjpe_mm", s.pa_mpjpe_mm},
-          {"flips", s.flips}};
-}
-
-nlohmann::json to_json(const EvalRow& row, const Baselines& base) {
-  nlohmann::json line = to_json(row.errors);
-  line.update({{"sequence", row.sequence},
-               {"temporal", temporal_name(row.temporal)},
-               {"alpha", row.alpha},
-               {"valid", row.valid},
-               {"smallest_box_px", row.smallest_box_px},
-               {"median_distance", row.median_distance},
-               {"oracle", to_json(base.oracle)},
-               {"random", to_json(base.random)},
-               {"constant", to_json(base.constant)}});
-  return line;
-}
-
 std::vector<std::filesystem::path> sequence_files(const std::filesystem::path& given) {
   if (std::filesystem::is_regular_file(given)) return {given};
   std::vector<std::filesystem::path> files;
@@ -63,35 +38,50 @@ std::vector<std::filesystem::path> sequence_files(const std::filesystem::path& g
   return files;
 }
 
-void print(const SequenceEvaluation& result) {
-  const EvalRow& first = result.rows.front();
-  fmt::print("\n{}: smallest hand box {:.0f} px, {:.0f} % of frames valid at alpha {}\n",
-             first.sequence, first.smallest_box_px, 100 * first.valid, first.alpha);
-  std::vector<std::pair<std::string, Summary>> lines;
-  for (const EvalRow& row : result.rows) {
-    lines.emplace_back(fmt::format("{} alpha {} %", temporal_name(row.temporal), row.alpha),
-                       row.errors);
+// All of them before the first is run, so that a broken one is not found after minutes.
+std::vector<SequenceSpec> load_all(const std::filesystem::path& given) {
+  std::vector<SequenceSpec> specs;
+  for (const auto& file : sequence_files(given)) {
+    specs.push_back(load_sequence(file));
+    const auto& hand = specs.back().hand.file;
+    if (hand.empty() || std::filesystem::exists(hand)) continue;
+    throw Error({file.string(), "hand.file", "a hand; scripts/fetch_hands.sh fetches WebXR's",
+                 "no file " + hand.string()});
   }
-  print_error_table(lines, result.baselines);
+  return specs;
+}
+
+void write_all(const Options& options, const EvalReport& report, const std::string& json) {
+  const std::filesystem::path out = options.out;
+  write_text(out / "frames.csv", frames_csv(report));
+  write_text(out / "runs.csv", runs_csv(report));
+  write_text(out / "eval.json", json);
 }
 
 void run(const Options& options) {
+  std::vector<SequenceSpec> specs = load_all(options.sequences);
   const Database database = Database::open(options.database);
+  const PoseGrid grid(database);
   const auto search = open_search(database, options.tracker.search);
-  EvalOptions settings{
+  const EvalOptions settings{
       .alphas = options.alphas, .tracker = options.tracker.values, .seed = options.seed};
-  nlohmann::json rows = nlohmann::json::array();
-  for (const auto& file : sequence_files(options.sequences)) {
-    const SequenceRenderer sequence(load_sequence(file));
-    const SequenceEvaluation result =
-        evaluate(database, *search, sequence, settings,
-                 console_progress(sequence.spec().name + ":", "runs"));
-    for (const EvalRow& row : result.rows) rows.push_back(to_json(row, result.baselines));
-    if (!options.json) print(result);
+  EvalReport report;
+  for (SequenceSpec& spec : specs) {
+    const SequenceRenderer sequence(std::move(spec));
+    report.sequences.push_back(evaluate(database, grid, *search, sequence, settings,
+                                        console_progress(sequence.spec().name + ":", "runs")));
+    if (!options.json) print(report.sequences.back());
   }
-  const std::string text = nlohmann::json{{"rows", rows}}.dump(1) + "\n";
+  report.set = summarize_set(report.sequences, options.seed);
+  if (!options.json) print(report.set, report.sequences.size());
+  nlohmann::json json = eval_json(report);
+  json["database"] = {{"content_hash", database.content_hash()}, {"rows", database.rows()}};
+  json["tracker"] = options_json(options.tracker.values);
+  json["tracker"]["search"] = options.tracker.search;
+  json["seed"] = options.seed;
+  const std::string text = json.dump(1) + "\n";
   if (options.json) fmt::print("{}", text);
-  if (!options.out.empty()) write_text(std::filesystem::path(options.out) / "eval.json", text);
+  if (!options.out.empty()) write_all(options, report, text);
 }
 
 }  // namespace
@@ -108,7 +98,7 @@ void add_eval(CLI::App& app) {
       ->allow_extra_args(false)
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--seed", options->seed, "Seed of the segmentation noise");
-  verb->add_option("--out", options->out, "A folder for eval.json");
+  verb->add_option("--out", options->out, "A folder for eval.json, frames.csv and runs.csv");
   verb->add_flag("--json", options->json, "JSON instead of tables");
   add_tracker_options(*verb, options->tracker);
   verb->remove_option(verb->get_option("--temporal"));  // all models are run

@@ -3,18 +3,131 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
+
 namespace graspdb::cli {
 namespace {
+
+struct Column {
+  int metric;
+  const char* title;
+  int decimals = 1;
+  double factor = 1;  // 100 for shares in percent
+};
+constexpr std::array<Column, 13> kColumns = {{{kPoseError, "pose err", 2},
+                                              {kRotationDeg, "rot deg"},
+                                              {kFlips, "flips %", 0, 100},
+                                              {kJointDeg, "jnt deg"},
+                                              {kThumbDeg, "thumb deg"},
+                                              {kMpjpeMm, "mpjpe mm"},
+                                              {kSnMpjpeMm, "sn mm"},
+                                              {kPaMpjpeMm, "pa mm"},
+                                              {kError2dPalms, "2d palms", 2},
+                                              {kGraspTop1, "top1 %", 0, 100},
+                                              {kGraspTop5, "top5 %", 0, 100},
+                                              {kGrasp17Top1, "17: top1", 0, 100},
+                                              {kJitterMm, "jitter mm"}}};
+
+// A set's table has a line of means and one of half the width of their intervals; these are enough.
+constexpr std::array<Column, 8> kSetColumns = {{{kPoseError, "pose error", 2},
+                                                {kRotationDeg, "rotation deg"},
+                                                {kFlips, "flips %", 0, 100},
+                                                {kJointDeg, "joint deg"},
+                                                {kMpjpeMm, "mpjpe mm"},
+                                                {kPaMpjpeMm, "pa mm"},
+                                                {kGraspTop1, "top1 %", 0, 100},
+                                                {kJitterMm, "jitter mm"}}};
 
 void print_stage(const char* name, const std::vector<double>& ms) {
   const Spread s = spread(ms);
   fmt::print("  {:9} median {:7.3f} ms   p90 {:7.3f} ms\n", name, s.median, s.p90);
 }
 
-void print_line(const std::string& name, const Summary& s) {
-  fmt::print("{:22} {:10.2f} {:8.1f} {:8.1f} {:8.1f} {:7.1f} {:8.1f} {:8.1f} {:6.0f} %\n", name,
-             s.pose_error, s.rotation_deg.mean, s.rotation_deg.median, s.rotation_deg.p90,
-             s.joint_deg, s.mpjpe_mm, s.pa_mpjpe_mm, 100 * s.flips);
+std::string number(double value, const Column& column) {
+  return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value * column.factor, column.decimals);
+}
+
+void print_line(const std::string& name, const Summary& summary) {
+  fmt::print("{:22}", name);
+  for (const Column& column : kColumns)
+    fmt::print(" {:>9}", number(summary.mean[static_cast<std::size_t>(column.metric)], column));
+  fmt::print("\n");
+}
+
+std::string run_name(TemporalModel model, double alpha) {
+  return fmt::format("{} alpha {} %", temporal_name(model), alpha);
+}
+
+std::string interval_text(const Interval& interval, const Column& column) {
+  if (interval.sequences == 0) return "-";
+  return fmt::format("{} [{}, {}]", number(interval.mean, column), number(interval.low, column),
+                     number(interval.high, column));
+}
+
+void print_line(const std::string& name, const MetricIntervals& metrics) {
+  fmt::print("{:26}", name);
+  for (const Column& column : kSetColumns) {
+    const auto metric = static_cast<std::size_t>(column.metric);
+    fmt::print(" {:>20}", interval_text(metrics[metric], column));
+  }
+  fmt::print("\n");
+}
+
+void print_titles(const std::string& name) {
+  fmt::print("{:26}", name);
+  for (const Column& column : kSetColumns) fmt::print(" {:>20}", column.title);
+  fmt::print("\n");
+}
+
+std::string difference_name(const SetDifference& d) {
+  if (d.alpha == d.minus_alpha) {
+    return fmt::format("{} - {} at {} %", temporal_name(d.temporal),
+                       temporal_name(d.minus_temporal), d.alpha);
+  }
+  return fmt::format("{}: {} % - {} %", temporal_name(d.temporal), d.alpha, d.minus_alpha);
+}
+
+void print_gap(const std::string& name, const Gap& gap, int decimals) {
+  fmt::print("{:26} {:8.{}f} {:10.{}f} {:8.{}f} {:10.{}f} {:11.{}f} {:10.{}f} {:8.{}f}\n", name,
+             gap.total(), decimals, gap.retrieval, decimals, gap.choice, decimals, gap.placement,
+             decimals, gap.unanswered, decimals, gap.view, decimals, gap.pose, decimals);
+}
+
+void print_gaps(const std::vector<SetRun>& runs) {
+  fmt::print("\n{:26} {:>8} {:>10} {:>8} {:>10} {:>11} {:>10} {:>8}\n", "gap to the oracle",
+             "total", "retrieval", "choice", "placement", "unanswered", "| view", "pose");
+  for (const SetRun& run : runs) {
+    const std::string name = run_name(run.temporal, run.alpha);
+    print_gap(name, run.pose_error_gap, 2);
+    print_gap(name + ", mpjpe", run.mpjpe_gap, 1);
+  }
+}
+
+void print_calibration(const std::vector<SetRun>& runs) {
+  fmt::print("\nshare of answers right to {} degrees, by confidence; expected calibration error\n",
+             kRecoveredDeg);
+  for (const SetRun& run : runs) {
+    fmt::print("{:26}", run_name(run.temporal, run.alpha));
+    for (const CalibrationBin& bin : run.calibration.bins)
+      fmt::print(" {:>5}", bin.frames > 0 ? fmt::format("{:.2f}", bin.right) : "-");
+    fmt::print("   {:.3f}\n", run.calibration.expected_error);
+  }
+}
+
+void print_recovery(const SetRecovery& recovery) {
+  const Column frames{kMetricCount, "", 1};
+  fmt::print(
+      "after {} black frames {:8} recovers in {} of {} sequences; wrong frames until then {}\n",
+      kBlackFrames, temporal_name(recovery.temporal), recovery.recovered, recovery.sequences,
+      interval_text(recovery.frames, frames));
+}
+
+void print_far_grasps(int beyond, int frames) {
+  fmt::print(
+      "fingers are 5 degrees or more from the nearest pose of the database in {} of {} "
+      "grasping frames\n",
+      beyond, frames);
 }
 
 }  // namespace
@@ -40,16 +153,42 @@ void print(const TrackStatistics& statistics) {
 
 void print_error_table(const std::vector<std::pair<std::string, Summary>>& answers,
                        const Baselines& baselines) {
-  fmt::print("{:22} {:>10} {:>8} {:>8} {:>8} {:>7} {:>8} {:>8} {:>8}\n", "", "pose error",
-             "rot mean", "median", "p90 deg", "jnt deg", "mpjpe mm", "pa mm", "flips");
+  fmt::print("{:22}", "");
+  for (const Column& column : kColumns) fmt::print(" {:>9}", column.title);
+  fmt::print("\n");
   for (const auto& [name, summary] : answers) print_line(name, summary);
-  print_line("oracle", baselines.oracle);
+  print_line("oracle", baselines.oracle_mean);
   print_line("random row", baselines.random);
   print_line("best constant", baselines.constant);
-  fmt::print(
-      "fingers to the nearest pose of the database: median {:.1f} deg, beyond 5 deg in {:.0f} % of "
-      "frames\n",
-      baselines.nearest_pose_deg.median, 100 * baselines.share_beyond_5_deg);
+}
+
+void print(const SequenceEvaluation& sequence) {
+  const EvalRun& first = sequence.runs.front();
+  fmt::print("\n{}: smallest hand box {:.0f} px, {:.0f} % of frames valid at alpha {}\n",
+             sequence.name, first.smallest_box_px, 100 * first.valid, first.alpha);
+  std::vector<std::pair<std::string, Summary>> lines;
+  for (const EvalRun& run : sequence.runs)
+    lines.emplace_back(run_name(run.temporal, run.alpha), run.errors);
+  print_error_table(lines, sequence.baselines);
+  print_far_grasps(sequence.beyond_5_deg, sequence.grasping_frames);
+}
+
+void print(const SetEvaluation& set, std::size_t sequences) {
+  fmt::print("\nMeans over {} sequences with 95 % intervals\n", sequences);
+  print_titles("");
+  for (const SetRun& run : set.runs) print_line(run_name(run.temporal, run.alpha), run.means);
+  print_line("oracle", set.oracle);
+  print_line("random row", set.random);
+  print_line("best constant", set.constant);
+  fmt::print("\n");
+  print_titles("paired differences");
+  for (const SetDifference& difference : set.differences)
+    print_line(difference_name(difference), difference.differences);
+  print_gaps(set.runs);
+  print_calibration(set.runs);
+  fmt::print("\n");
+  for (const SetRecovery& recovery : set.recoveries) print_recovery(recovery);
+  print_far_grasps(set.beyond_5_deg, set.grasping_frames);
 }
 
 }  // namespace graspdb::cli

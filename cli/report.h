@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "graspdb/evaluate.h"
+#include "graspdb/evaluation_set.h"
 #include "graspdb/metrics.h"
 #include "graspdb/tracker.h"
 
@@ -23,5 +23,8 @@ void print(const TrackStatistics& statistics);
 // One line an answer, then oracle, random row and constant guess.
 void print_error_table(const std::vector<std::pair<std::string, Summary>>& answers,
                        const Baselines& baselines);
+
+void print(const SequenceEvaluation& sequence);
+void print(const SetEvaluation& set, std::size_t sequences);
 
 }  // namespace graspdb::cli

@@ -169,11 +169,18 @@ class Run {
     const auto& truth = source_->sequence()->truth;
     const auto i = static_cast<std::size_t>(frame.index);
     if (!estimate.valid || i >= truth.size()) return;
-    errors_.push_back(compare(pose_of(estimate), pose_of(truth[i])));
+    errors_.push_back(compare(answer_of(estimate, database_), target_of(truth[i])));
+  }
+
+  // A written sequence does not say what type its grasp is.
+  Target target_of(const FrameTruth& truth) const {
+    return graspdb::target_of(truth, source_->sequence()->camera, std::nullopt);
   }
 
   void print_against_truth() const {
-    const Baselines base = baselines(database_, source_->sequence()->truth, 0);
+    std::vector<Target> targets;
+    for (const FrameTruth& truth : source_->sequence()->truth) targets.push_back(target_of(truth));
+    const Baselines base = baselines(PoseGrid(database_), targets, 0);
     print_error_table({{options_.tracker.temporal, summarize(errors_)}}, base);
   }
 

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 
 #include "graspdb/error.h"
 #include "graspdb/noise.h"
 #include "graspdb/parallel.h"
 #include "graspdb/segmentation.h"
+#include "runner.h"
 
 namespace graspdb {
 namespace {
@@ -18,46 +20,145 @@ constexpr std::array<std::pair<TemporalModel, const char*>, 3> kModels = {{
     {TemporalModel::kKde, "kde"},
 }};
 
-struct Frame {
-  GrayImage gray;
-  Mask hand;
-  FrameTruth truth;
+// The models look the same frame up one after another: only the first one searches. Not
+// thread-safe.
+class LastSearch : public Search {
+ public:
+  explicit LastSearch(const Search& search) : search_(search) {}
+  std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
+    if (k != k_ || query != query_) {
+      found_ = search_.nearest(query, k);
+      query_ = query;
+      k_ = k;
+    }
+    return found_;
+  }
+
+ private:
+  const Search& search_;
+  mutable Descriptor query_{};
+  mutable int k_ = -1;
+  mutable std::vector<Neighbor> found_;
 };
 
-std::vector<Frame> render_all(const SequenceRenderer& sequence) {
-  std::vector<Frame> frames(static_cast<std::size_t>(sequence.spec().frame_count()));
-  parallel_for(frames.size(), 0, [&](std::size_t i) {
+void render_all(const SequenceRenderer& sequence, Stage& stage, SequenceEvaluation& result) {
+  const auto count = static_cast<std::size_t>(sequence.spec().frame_count());
+  stage.gray.resize(count);
+  stage.hand.resize(count);
+  result.truth.resize(count);
+  result.occlusion.resize(count);
+  parallel_for(count, 0, [&](std::size_t i) {
     SequenceFrame rendered = sequence.render(static_cast<int>(i));
-    frames[i] = {to_gray(rendered.color), std::move(rendered.hand), rendered.truth};
+    stage.gray[i] = to_gray(rendered.color);
+    stage.hand[i] = std::move(rendered.hand);
+    result.truth[i] = rendered.truth;
+    result.occlusion[i] = rendered.occlusion;
   });
-  return frames;
 }
 
-EvalRow track(Tracker& tracker, const std::vector<Frame>& frames, const SequenceSpec& spec,
-              double alpha, std::uint64_t seed) {
-  EvalRow row{.sequence = spec.name, .alpha = alpha, .smallest_box_px = spec.camera.height * 1.0};
-  std::vector<FrameErrors> errors;
-  std::vector<double> distances;
-  Pose last{Eigen::Matrix3d::Identity(), JointAngles::Zero(), Keypoints::Zero()};
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Mask hand = isolate_hand(add_segmentation_noise(frames[i].hand, alpha, seed, i));
-    const Estimate estimate = tracker.step({frames[i].gray, hand, spec.camera});
-    if (estimate.box.height > 0) {
-      row.smallest_box_px = std::min<double>(row.smallest_box_px, estimate.box.height);
-      distances.push_back(estimate.distance);
-    }
-    // A frame without an answer is not left out, or refusing the hard ones would pay: the last
-    // answer (at first a flat hand without a turn) stands for it.
-    if (estimate.valid) last = pose_of(estimate);
-    row.valid += estimate.valid ? 1.0 / static_cast<double>(frames.size()) : 0;
-    errors.push_back(compare(last, pose_of(frames[i].truth)));
+void count_far_grasps(SequenceEvaluation& result) {
+  for (std::size_t i = 0; i < result.truth.size(); ++i) {
+    if (result.truth[i].closure < kGraspingClosure) continue;
+    ++result.grasping_frames;
+    if (result.baselines.oracle[i].errors[kJointDeg] >= 5) ++result.beyond_5_deg;
   }
-  row.errors = summarize(errors);
-  row.median_distance = spread(distances).median;
-  return row;
+}
+
+std::vector<Runner> runners(const Stage& stage, const Search& search) {
+  std::vector<Runner> all;
+  for (const TemporalModel model : stage.options.temporal) all.emplace_back(stage, search, model);
+  return all;
+}
+
+// A run of each temporal model, side by side.
+std::vector<EvalRun> run_all(const Stage& stage, const Search& search, double alpha) {
+  const LastSearch last(search);
+  std::vector<Runner> models = runners(stage, last);
+  for (std::size_t i = 0; i < stage.hand.size(); ++i) {
+    const Mask hand =
+        isolate_hand(add_segmentation_noise(stage.hand[i], alpha, stage.options.seed, i));
+    for (Runner& model : models) model.step(hand);
+  }
+  std::vector<EvalRun> runs;
+  for (const Runner& model : models) runs.push_back(model.run(alpha));
+  return runs;
+}
+
+std::vector<Recovery> recover(const Stage& stage, const Search& search) {
+  const std::size_t count = stage.hand.size();
+  if (count <= kBlackFrames) return {};
+  const std::size_t black = (count - kBlackFrames) / 2, seen_again = black + kBlackFrames;
+  const LastSearch last(search);
+  std::vector<Runner> models = runners(stage, last);
+  std::vector<Recovery> recoveries;
+  for (const TemporalModel model : stage.options.temporal) recoveries.push_back({model, 0, false});
+  const Mask nothing(stage.camera.width, stage.camera.height);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_black = i >= black && i < seen_again;
+    const Mask hand = is_black ? nothing : isolate_hand(stage.hand[i]);
+    for (std::size_t m = 0; m < models.size(); ++m) {
+      const FrameResult& frame = models[m].step(hand);
+      if (i < seen_again || recoveries[m].recovered) continue;
+      recoveries[m].recovered = frame.valid && frame.errors[kRotationDeg] <= kRecoveredDeg;
+      if (!recoveries[m].recovered) ++recoveries[m].frames;
+    }
+  }
+  return recoveries;
+}
+
+void run_everything(const Stage& stage, const Search& search, const Progress& progress,
+                    SequenceEvaluation& result) {
+  const auto& alphas = stage.options.alphas;
+  const std::size_t models = stage.options.temporal.size(), tasks = alphas.size() + 1;
+  result.runs.resize(models * alphas.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(tasks, 0, [&](std::size_t task) {
+    if (task == alphas.size()) {
+      result.recoveries = recover(stage, search);
+    } else {
+      std::vector<EvalRun> runs = run_all(stage, search, alphas[task]);
+      for (std::size_t m = 0; m < models; ++m)
+        result.runs[m * alphas.size() + task] = std::move(runs[m]);
+    }
+    const std::scoped_lock lock(mutex);
+    if (progress) progress(++done, tasks);
+  });
 }
 
 }  // namespace
+
+SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, const Search& search,
+                            const SequenceRenderer& sequence, const EvalOptions& options,
+                            const Progress& progress) {
+  const SequenceSpec& spec = sequence.spec();
+  SequenceEvaluation result{.name = spec.name, .grasp_type = spec.grasp_type};
+  Stage stage{.database = database, .grid = grid, .options = options, .camera = spec.camera};
+  render_all(sequence, stage, result);
+  for (const FrameTruth& frame : result.truth)
+    stage.truth.push_back(target_of(frame, spec.camera, spec.grasp_type));
+  stage.baselines = result.baselines = baselines(grid, stage.truth, options.seed);
+  count_far_grasps(result);
+  run_everything(stage, search, progress, result);
+  return result;
+}
+
+Pose pose_of(const FrameTruth& truth) {
+  return {truth.camera_from_hand, truth.angles, truth.joints};
+}
+
+Target target_of(const FrameTruth& truth, const Intrinsics& camera, std::optional<int> grasp_type) {
+  if (truth.closure < kTypeClosure) grasp_type.reset();
+  return {pose_of(truth), camera, grasp_type};
+}
+
+Answer answer_of(const Estimate& estimate, const Database& database) {
+  Answer answer{{estimate.camera_from_hand, estimate.angles, estimate.joints}, {}};
+  for (const Hypothesis& hypothesis : estimate.hypotheses) {
+    answer.grasps[database.grasp(hypothesis.row)] += hypothesis.weight;
+  }
+  return answer;
+}
 
 std::string temporal_name(TemporalModel model) {
   const auto found =
@@ -71,36 +172,6 @@ TemporalModel temporal_from_name(const std::string& name) {
     if (name == known) return model;
   }
   throw Error({.key = "temporal", .expected = "none, gaussian or kde", .found = name});
-}
-
-Pose pose_of(const FrameTruth& truth) {
-  return {truth.camera_from_hand, truth.angles, truth.joints};
-}
-
-Pose pose_of(const Estimate& estimate) {
-  return {estimate.camera_from_hand, estimate.angles, estimate.joints};
-}
-
-SequenceEvaluation evaluate(const Database& database, const Search& search,
-                            const SequenceRenderer& sequence, const EvalOptions& options,
-                            const Progress& progress) {
-  const std::vector<Frame> frames = render_all(sequence);
-  std::vector<FrameTruth> truth;
-  truth.reserve(frames.size());
-  for (const Frame& frame : frames) truth.push_back(frame.truth);
-  SequenceEvaluation result{.baselines = baselines(database, truth, options.seed)};
-  const std::size_t total = options.temporal.size() * options.alphas.size();
-  for (TemporalModel model : options.temporal) {
-    TrackerOptions settings = options.tracker;
-    settings.temporal = model;
-    for (double alpha : options.alphas) {
-      Tracker tracker(database, search, settings);
-      result.rows.push_back(track(tracker, frames, sequence.spec(), alpha, options.seed));
-      result.rows.back().temporal = model;
-      if (progress) progress(result.rows.size(), total);
-    }
-  }
-  return result;
 }
 
 }  // namespace graspdb

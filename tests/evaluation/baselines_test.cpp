@@ -1,132 +1,130 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
+#include "graspdb/baselines.h"
+
+#include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
-#include "graspdb/evaluate.h"
-#include "graspdb/random.h"
-#include "support/temporary_directory.h"
-#include "support/toy_skeleton.h"
+#include "graspdb/error.h"
+#include "small_grid.h"
 
 namespace graspdb {
 namespace {
 
-constexpr int kViews = 12, kPoses = 3;
+using ::testing::HasSubstr;
 
-JointAngles random_angles(RandomStream& random) {
-  return JointAngles::NullaryExpr([&] { return random.uniform(0, 0.8); });
-}
-
-Eigen::Matrix3d random_rotation(RandomStream& random) {
-  return rotation_from_vector({random.normal(), random.normal(), random.normal()});
-}
-
-// Three poses seen from the same twelve views, and frames that are none of them.
-class SmallGrid : public ::testing::Test {
+class BaselinesOfASmallGrid : public testing::SmallGrid {
  protected:
-  SmallGrid() {
-    RandomStream random(5);
-    std::vector<Eigen::Matrix3d> views;
-    for (int v = 0; v < kViews; ++v) views.push_back(random_rotation(random));
-    std::vector<Row> rows;
-    for (int p = 0; p < kPoses; ++p) {
-      const JointAngles angles = random_angles(random);
-      for (int v = 0; v < kViews; ++v)
-        rows.push_back(row(views[static_cast<std::size_t>(v)], angles, v, p));
-    }
-    write_database(directory_ / "grid.graspdb", info(), rows);
-    database_.emplace(Database::open(directory_ / "grid.graspdb"));
-    for (int i = 0; i < 7; ++i) truth_.push_back(frame(random));
-  }
-
-  static DatabaseInfo info() {
-    return {.grasps = {{1, "one"}},
-            .hands = {{"toy", testing::toy_skeleton()}},
-            .variants = {"free"},
-            .steps = kPoses,
-            .views = kViews,
-            .camera_distance = 0.7,
-            .view_rule = "random",
-            .hog = "paper",
-            .config = "{}",
-            .tool = "test"};
-  }
-  static Row row(const Eigen::Matrix3d& rotation, const JointAngles& angles, int view, int pose) {
-    Row row;
-    Eigen::Map<Eigen::Vector3f>(row.label.data()) = vector_from_rotation(rotation).cast<float>();
-    Eigen::Map<Eigen::Matrix<float, kAngleCount, 1>>(row.label.data() + 3) = angles.cast<float>();
-    row.view = static_cast<std::uint32_t>(view);
-    row.grasp = 1;
-    row.step = static_cast<std::uint8_t>(pose + 1);
-    return row;
-  }
-  static FrameTruth frame(RandomStream& random) {
-    FrameTruth truth;
-    truth.camera_from_hand = random_rotation(random);
-    truth.angles = random_angles(random);
-    truth.wrist = {random.uniform(-0.2, 0.2), random.uniform(-0.1, 0.1), 0.6};
-    truth.joints =
-        (truth.camera_from_hand * keypoints_in_palm(testing::toy_skeleton(), truth.angles))
-            .colwise() +
-        truth.wrist;
-    return truth;
-  }
-  // What a tracker would answer with this row.
-  Pose answer(std::size_t row, const FrameTruth& truth) const {
+  // What a tracker would answer with this row, straight from the database.
+  Answer answer(std::size_t row, const Target& truth) const {
+    const Keypoints& joints = truth.pose.joints;
     const Eigen::Vector3d palm =
-        truth.wrist + truth.camera_from_hand * palm_centre(testing::toy_skeleton(), truth.angles);
+        (joints.col(0) + joints.col(5) + joints.col(9) + joints.col(13) + joints.col(17)) / 5;
     const Eigen::Matrix3d turn =
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), palm).toRotationMatrix();
     const JointAngles angles = label_angles(database_->label(row));
     const Eigen::Matrix3d rotation = turn * label_rotation(database_->label(row));
-    return {rotation, angles, rotation * keypoints_in_palm(testing::toy_skeleton(), angles)};
+    const Skeleton skeleton = testing::toy_skeleton();
+    const Eigen::Vector3d wrist = palm - rotation * palm_centre(skeleton, angles);
+    return {{rotation, angles, (rotation * keypoints_in_palm(skeleton, angles)).colwise() + wrist},
+            {{database_->grasp(row), 1.0}}};
   }
 
-  testing::TemporaryDirectory directory_;
-  std::optional<Database> database_;
-  std::vector<FrameTruth> truth_;
+  std::vector<FrameErrors> all_rows(const Target& truth) const {
+    std::vector<FrameErrors> all;
+    for (std::size_t row = 0; row < database_->rows(); ++row)
+      all.push_back(compare(answer(row, truth), truth));
+    return all;
+  }
 };
 
-TEST_F(SmallGrid, TheOracleIsTheBestOfAllRowsForEachMetric) {
-  std::vector<FrameErrors> best;
-  for (const FrameTruth& truth : truth_) {
-    FrameErrors least{1e9, 1e9, 1e9, 1e9, 1e9};
-    for (std::size_t row = 0; row < database_->rows(); ++row) {
-      const FrameErrors errors = compare(answer(row, truth), pose_of(truth));
-      least.pose = std::min(least.pose, errors.pose);
-      least.rotation_deg = std::min(least.rotation_deg, errors.rotation_deg);
-      least.joint_deg = std::min(least.joint_deg, errors.joint_deg);
-      least.mpjpe_mm = std::min(least.mpjpe_mm, errors.mpjpe_mm);
-      least.pa_mpjpe_mm = std::min(least.pa_mpjpe_mm, errors.pa_mpjpe_mm);
+TEST_F(BaselinesOfASmallGrid, TheOracleIsTheBestOfAllRowsForEachMetric) {
+  for (Target& truth : truth_) {
+    truth.grasp_type = &truth == &truth_.front() ? 16 : 29;  // 29 is merged with 16
+    const std::vector<FrameErrors> rows = all_rows(truth);
+    const FrameErrors found = oracle(*grid_, truth).errors;
+    for (std::size_t m = 0; m < kMetricCount; ++m) {
+      const MetricInfo& info = metric_info(static_cast<int>(m));
+      const auto less = [m](const FrameErrors& a, const FrameErrors& b) { return a[m] < b[m]; };
+      const double best = info.more_is_better
+                              ? (*std::max_element(rows.begin(), rows.end(), less))[m]
+                              : (*std::min_element(rows.begin(), rows.end(), less))[m];
+      EXPECT_NEAR(found[m], best, 1e-6) << info.name;
     }
-    best.push_back(least);
   }
-  const Summary wanted = summarize(best), found = baselines(*database_, truth_, 0).oracle;
-  EXPECT_NEAR(found.pose_error, wanted.pose_error, 1e-6);
-  EXPECT_NEAR(found.rotation_deg.mean, wanted.rotation_deg.mean, 1e-4);
-  EXPECT_NEAR(found.joint_deg, wanted.joint_deg, 1e-6);
-  EXPECT_NEAR(found.mpjpe_mm, wanted.mpjpe_mm, 1e-4);
-  EXPECT_NEAR(found.pa_mpjpe_mm, wanted.pa_mpjpe_mm, 1e-4);
 }
 
-TEST_F(SmallGrid, TheConstantGuessIsTheRowWithTheSmallestMeanTurn) {
+TEST_F(BaselinesOfASmallGrid, TheOracleNamesTheRowThatGivesIt) {
+  for (const Target& truth : truth_) {
+    const FrameOracle best = oracle(*grid_, truth);
+    const auto seen = [&](const GridPlace& place) {
+      return compare({grid_->seen(place.pose, place.view, truth.pose), {}}, truth);
+    };
+    EXPECT_NEAR(seen(best.best_pose_error)[kPoseError], best.errors[kPoseError], 1e-9);
+    EXPECT_NEAR(seen(best.best_mpjpe)[kMpjpeMm], best.errors[kMpjpeMm], 1e-9);
+  }
+}
+
+TEST_F(BaselinesOfASmallGrid, ARowSeenByTheGridIsTheDatabasesRow) {
+  for (const std::uint32_t row : {0U, 17U, 71U, 100U}) {
+    const Pose seen = grid_->seen(grid_->pose_of(row), grid_->view_of(row), truth_[0].pose);
+    const Pose expected = answer(row, truth_[0]).pose;
+    EXPECT_LT((seen.joints - expected.joints).norm(), 1e-12);
+    EXPECT_LT((seen.camera_from_hand - expected.camera_from_hand).norm(), 1e-12);
+    EXPECT_EQ(seen.angles, expected.angles);
+  }
+}
+
+TEST_F(BaselinesOfASmallGrid, APoseOfBothVariantsIsKeptOnce) {
+  EXPECT_EQ(grid_->rows(), database_->rows());
+  EXPECT_EQ(grid_->poses().size(), std::size_t{kGrasps * kSteps});
+  EXPECT_EQ(grid_->views().size(), std::size_t{kViews});
+}
+
+TEST_F(BaselinesOfASmallGrid, ADatabaseThatIsNoGridIsRefused) {
+  std::vector<Row> odd = rows();
+  odd[kViews + 3].label[10] += 0.1F;
+  write_database(directory_ / "odd.graspdb", info(), odd);
+  try {
+    const PoseGrid grid(Database::open(directory_ / "odd.graspdb"));
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("row 15"));
+  }
+}
+
+TEST_F(BaselinesOfASmallGrid, TheConstantGuessIsTheRowWithTheSmallestMeanTurn) {
   double least = 1e9;
   for (std::size_t row = 0; row < kViews; ++row) {
     double sum = 0;
-    for (const FrameTruth& truth : truth_)
-      sum += compare(answer(row, truth), pose_of(truth)).rotation_deg;
+    for (const Target& truth : truth_) sum += compare(answer(row, truth), truth)[kRotationDeg];
     least = std::min(least, sum / static_cast<double>(truth_.size()));
   }
-  EXPECT_NEAR(baselines(*database_, truth_, 0).constant.rotation_deg.mean, least, 1e-4);
+  EXPECT_NEAR(baselines(*grid_, truth_, 0).constant.mean[kRotationDeg], least, 1e-4);
 }
 
-TEST_F(SmallGrid, NoRowIsBetterThanTheOracleAndARandomRowIsWorse) {
-  const Baselines base = baselines(*database_, truth_, 3);
-  EXPECT_LT(base.oracle.pose_error, base.constant.pose_error);
-  EXPECT_LT(base.constant.rotation_deg.mean, base.random.rotation_deg.mean);
-  EXPECT_EQ(base.nearest_pose_deg.mean, base.oracle.joint_deg);
+TEST_F(BaselinesOfASmallGrid, NoRowIsBetterThanTheOracleAndARandomRowIsWorse) {
+  const Baselines base = baselines(*grid_, truth_, 3);
+  EXPECT_LT(base.oracle_mean.mean[kPoseError], base.constant.mean[kPoseError]);
+  EXPECT_LT(base.constant.mean[kRotationDeg], base.random.mean[kRotationDeg]);
+  EXPECT_TRUE(std::isnan(base.random.mean[kGraspTop1]));  // no type was asked for
+}
+
+TEST_F(BaselinesOfASmallGrid, ARandomRowHasTheMeanErrorOfAllRows) {
+  std::vector<FrameErrors> all;
+  for (Target& truth : truth_) {
+    truth.grasp_type = 16;
+    const std::vector<FrameErrors> rows = all_rows(truth);
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  const RunErrors expected = summarize(all).mean;
+  const RunErrors found = baselines(*grid_, truth_, 3).random.mean;
+  EXPECT_NEAR(found[kRotationDeg] / expected[kRotationDeg], 1, 0.15);
+  EXPECT_NEAR(found[kMpjpeMm] / expected[kMpjpeMm], 1, 0.15);
+  EXPECT_NEAR(found[kGraspTop1], 0.5, 0.1);  // one of two types
+  EXPECT_EQ(found[kGraspTop5], 1);
 }
 
 }  // namespace

@@ -3,29 +3,20 @@
 // the database could give at best, a random row and a constant guess.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "graspdb/database.h"
+#include "graspdb/baselines.h"
+#include "graspdb/gap.h"
 #include "graspdb/metrics.h"
+#include "graspdb/pose_grid.h"
 #include "graspdb/progress.h"
 #include "graspdb/search.h"
 #include "graspdb/sequence.h"
 #include "graspdb/tracker.h"
 
 namespace graspdb {
-
-// What frames with the same truth give without looking at the picture.
-struct Baselines {
-  Summary oracle;    // for each metric and frame its own best row
-  Summary random;    // mean over random rows
-  Summary constant;  // the view and the pose that, kept all the time, are best for this sequence
-  // From each frame's fingers to the nearest pose of the database, mean joint difference, degrees.
-  Spread nearest_pose_deg;
-  double share_beyond_5_deg = 0;  // of frames
-};
-Baselines baselines(const Database& database, const std::vector<FrameTruth>& truth,
-                    std::uint64_t seed);
 
 struct EvalOptions {
   std::vector<TemporalModel> temporal = {TemporalModel::kNone, TemporalModel::kGaussian,
@@ -35,27 +26,65 @@ struct EvalOptions {
   std::uint64_t seed = 0;
 };
 
-struct EvalRow {
-  std::string sequence;
+// One frame of a run. Without an answer the errors are those of the last one, at first of a flat
+// hand without a turn before the camera: refusing hard frames must not pay.
+struct FrameResult {
+  bool valid = false;
+  double confidence = 0;
+  double distance = 0;    // of the nearest descriptor
+  int box_height_px = 0;  // of the hand; 0 without a mask
+  std::uint32_t row = 0;
+  int grasp = 0;
+  FrameErrors errors;
+  Gap pose_error_gap, mpjpe_gap;
+};
+
+struct EvalRun {
   TemporalModel temporal = TemporalModel::kNone;
-  double alpha = 0;
-  Summary errors;              // over all frames; without an answer the last one stands
-  double valid = 0;            // their share
+  double alpha = 0;  // percent
+  std::vector<FrameResult> frames;
+  Summary errors;  // with jitter
+  Gap pose_error_gap, mpjpe_gap;
+  double valid = 0;            // the share of frames with an answer
   double smallest_box_px = 0;  // height of the smallest hand box
   double median_distance = 0;  // of the nearest descriptor
 };
 
-struct SequenceEvaluation {
-  Baselines baselines;
-  std::vector<EvalRow> rows;  // temporal model by temporal model, alpha by alpha
+// At alpha 0, after frames without a hand in the middle of the sequence.
+constexpr int kBlackFrames = 10;
+constexpr double kRecoveredDeg = 30;
+struct Recovery {
+  TemporalModel temporal = TemporalModel::kNone;
+  int frames = 0;  // shown before the rotation is right to kRecoveredDeg; all that are left
+                   // when it never is
+  bool recovered = false;
 };
 
-SequenceEvaluation evaluate(const Database& database, const Search& search,
+struct SequenceEvaluation {
+  std::string name;
+  std::optional<int> grasp_type;
+  std::vector<FrameTruth> truth;
+  std::vector<double> occlusion;  // a frame each
+  Baselines baselines;
+  // Frames whose hand is closed at least half, and those of them whose fingers are 5 degrees or
+  // more from the nearest pose of the database.
+  int grasping_frames = 0, beyond_5_deg = 0;
+  std::vector<EvalRun> runs;         // temporal model by temporal model, alpha by alpha
+  std::vector<Recovery> recoveries;  // a temporal model each; none for a short sequence
+};
+
+constexpr double kGraspingClosure = 0.5;
+constexpr double kTypeClosure = 0.8;  // from which the type of a grasp is asked for
+
+// Holds the pictures of this one sequence in memory. Uses all processors.
+SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, const Search& search,
                             const SequenceRenderer& sequence, const EvalOptions& options,
                             const Progress& progress = {});
 
 Pose pose_of(const FrameTruth& truth);
-Pose pose_of(const Estimate& estimate);
+Answer answer_of(const Estimate& estimate, const Database& database);
+// `grasp_type` counts from kTypeClosure on.
+Target target_of(const FrameTruth& truth, const Intrinsics& camera, std::optional<int> grasp_type);
 
 std::string temporal_name(TemporalModel model);             // "none", "gaussian", "kde"
 TemporalModel temporal_from_name(const std::string& name);  // throws Error

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/gap.h"
+
+#include <algorithm>
+
+namespace graspdb {
+namespace {
+
+// The rotation of one pose, the hand of another.
+Pose joined(const Pose& view, const Pose& hand) {
+  const Eigen::Matrix3d turn = view.camera_from_hand * hand.camera_from_hand.transpose();
+  return {view.camera_from_hand, hand.angles, turn * hand.joints};
+}
+
+void split_by_stage(const GapInput& in, PoseMetric metric, double answer, double best, Gap& gap) {
+  if (in.rows.empty()) {
+    gap.unanswered = answer - best;
+    return;
+  }
+  const auto error = [&](std::uint32_t row) {
+    return metric(in.grid.seen(in.grid.pose_of(row), in.grid.view_of(row), in.truth), in.truth);
+  };
+  const double chosen = error(in.rows.front());
+  double retrieved = chosen;
+  for (const std::uint32_t row : in.rows.subspan(1)) retrieved = std::min(retrieved, error(row));
+  gap.retrieval = retrieved - best;
+  gap.choice = chosen - retrieved;
+  gap.placement = answer - chosen;
+}
+
+}  // namespace
+
+Gap split_gap(const GapInput& in, PoseMetric metric) {
+  const Pose oracle = in.grid.seen(in.best.pose, in.best.view, in.truth);
+  const double answer = metric(in.answer, in.truth), best = metric(oracle, in.truth);
+  Gap gap;
+  split_by_stage(in, metric, answer, best, gap);
+  const double best_view = metric(joined(oracle, in.answer), in.truth);
+  const double best_pose = metric(joined(in.answer, oracle), in.truth);
+  // Each part's gain is the mean of what it gains when mended first and when mended last (Shapley),
+  // so that the two add up to the gap.
+  gap.view = ((answer - best_view) + (best_pose - best)) / 2;
+  gap.pose = ((answer - best_pose) + (best_view - best)) / 2;
+  return gap;
+}
+
+Gap mean_gap(const std::vector<Gap>& frames) {
+  Gap mean;
+  for (double Gap::*part :
+       {&Gap::retrieval, &Gap::choice, &Gap::placement, &Gap::unanswered, &Gap::view, &Gap::pose}) {
+    for (const Gap& gap : frames) mean.*part += gap.*part / static_cast<double>(frames.size());
+  }
+  return mean;
+}
+
+}  // namespace graspdb

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "runner.h"
+
+#include <algorithm>
+
+namespace graspdb {
+namespace {
+
+TrackerOptions with_model(TrackerOptions options, TemporalModel model) {
+  options.temporal = model;
+  return options;
+}
+
+Answer flat_hand(const Database& database) {
+  const JointAngles angles = JointAngles::Zero();
+  Keypoints joints = keypoints_in_palm(database.info().hands.front().skeleton, angles);
+  joints.row(2).array() += database.info().camera_distance;
+  return {{Eigen::Matrix3d::Identity(), angles, joints}, {}};
+}
+
+double joint_distance_mm(const Pose& a, const Pose& b) {
+  return mpjpe_mm(a.joints, b.joints);
+}
+
+template <typename Value>
+std::vector<Value> collect(const std::vector<FrameResult>& frames, Value FrameResult::*member) {
+  std::vector<Value> values;
+  values.reserve(frames.size());
+  for (const FrameResult& frame : frames) values.push_back(frame.*member);
+  return values;
+}
+
+std::vector<Keypoints> true_joints(const std::vector<Target>& truth) {
+  std::vector<Keypoints> joints;
+  joints.reserve(truth.size());
+  for (const Target& frame : truth) joints.push_back(frame.pose.joints);
+  return joints;
+}
+
+}  // namespace
+
+Runner::Runner(const Stage& stage, const Search& search, TemporalModel model)
+    : stage_(stage),
+      model_(model),
+      tracker_(stage.database, search, with_model(stage.options.tracker, model)),
+      last_(flat_hand(stage.database)) {}
+
+const FrameResult& Runner::step(const Mask& hand) {
+  const std::size_t i = frames_.size();
+  const Estimate estimate = tracker_.step({stage_.gray[i], hand, stage_.camera});
+  if (estimate.valid) last_ = answer_of(estimate, stage_.database);
+  frames_.push_back({.valid = estimate.valid,
+                     .confidence = estimate.confidence,
+                     .distance = estimate.distance,
+                     .box_height_px = estimate.box.height,
+                     .row = estimate.row,
+                     .grasp = estimate.grasp,
+                     .errors = compare(last_, stage_.truth[i])});
+  split_gaps(frames_.back(), estimate.hypotheses);
+  joints_.push_back(last_.pose.joints);
+  return frames_.back();
+}
+
+void Runner::split_gaps(FrameResult& result, const std::vector<Hypothesis>& hypotheses) const {
+  std::vector<std::uint32_t> rows;
+  if (result.valid) {
+    for (const Hypothesis& hypothesis : hypotheses) rows.push_back(hypothesis.row);
+  }
+  const std::size_t i = frames_.size() - 1;
+  const FrameOracle& oracle = stage_.baselines.oracle[i];
+  const Pose& truth = stage_.truth[i].pose;
+  result.pose_error_gap =
+      split_gap({stage_.grid, truth, last_.pose, rows, oracle.best_pose_error}, pose_error);
+  result.mpjpe_gap =
+      split_gap({stage_.grid, truth, last_.pose, rows, oracle.best_mpjpe}, joint_distance_mm);
+}
+
+EvalRun Runner::run(double alpha) const {
+  EvalRun run{.temporal = model_, .alpha = alpha, .frames = frames_};
+  run.errors = summarize(collect(frames_, &FrameResult::errors));
+  run.errors.mean[kJitterMm] = jitter_mm(joints_, true_joints(stage_.truth));
+  run.pose_error_gap = mean_gap(collect(frames_, &FrameResult::pose_error_gap));
+  run.mpjpe_gap = mean_gap(collect(frames_, &FrameResult::mpjpe_gap));
+  run.smallest_box_px = stage_.camera.height;
+  std::vector<double> distances;
+  for (const FrameResult& frame : frames_) {
+    run.valid += frame.valid ? 1.0 / static_cast<double>(frames_.size()) : 0;
+    if (frame.box_height_px == 0) continue;
+    run.smallest_box_px = std::min<double>(run.smallest_box_px, frame.box_height_px);
+    distances.push_back(frame.distance);
+  }
+  run.median_distance = spread(distances).median;
+  return run;
+}
+
+}  // namespace graspdb
