@@ -67,9 +67,9 @@ void run(const Options& options) {
       .alphas = options.alphas, .tracker = options.tracker.values, .seed = options.seed};
   EvalReport report;
   for (SequenceSpec& spec : specs) {
-    const SequenceRenderer sequence(std::move(spec));
-    report.sequences.push_back(evaluate(database, grid, *search, sequence, settings,
-                                        console_progress(sequence.spec().name + ":", "runs")));
+    const SequenceFrames frames = render_frames(SequenceRenderer(std::move(spec)));
+    report.sequences.push_back(evaluate(database, grid, *search, frames, settings,
+                                        console_progress(frames.name + ":", "passes")));
     if (!options.json) print(report.sequences.back());
   }
   report.set = summarize_set(report.sequences, options.seed);

@@ -112,7 +112,7 @@ void run_line(Csv& csv, const SequenceEvaluation& sequence, const EvalRun& run) 
   add_errors(csv, run.errors.mean, kRunMetricCount);
   const Baselines& base = sequence.baselines;
   for (const Summary* summary : {&base.oracle_mean, &base.random, &base.constant})
-    add_errors(csv, summary->mean, kMetricCount);
+    add_errors(csv, summary->mean, kRunMetricCount);
   csv.end_line();
 }
 
@@ -156,7 +156,7 @@ std::string runs_csv(const EvalReport& report) {
   }
   add_names(names, "", kRunMetricCount);
   for (const char* prefix : {"oracle_", "random_", "constant_"})
-    add_names(names, prefix, kMetricCount);
+    add_names(names, prefix, kRunMetricCount);
   csv.line(names);
   for (const SequenceEvaluation& sequence : report.sequences) {
     for (const EvalRun& run : sequence.runs) run_line(csv, sequence, run);

@@ -29,23 +29,28 @@ constexpr std::array<Column, 13> kColumns = {{{kPoseError, "pose err", 2},
                                               {kGrasp17Top1, "17: top1", 0, 100},
                                               {kJitterMm, "jitter mm"}}};
 
-// A set's table has a line of means and one of half the width of their intervals; these are enough.
-constexpr std::array<Column, 8> kSetColumns = {{{kPoseError, "pose error", 2},
+// Intervals take room; eval.json has those of all metrics.
+constexpr std::array<Column, 6> kSetColumns = {{{kPoseError, "pose error", 2},
                                                 {kRotationDeg, "rotation deg"},
                                                 {kFlips, "flips %", 0, 100},
                                                 {kJointDeg, "joint deg"},
                                                 {kMpjpeMm, "mpjpe mm"},
-                                                {kPaMpjpeMm, "pa mm"},
-                                                {kGraspTop1, "top1 %", 0, 100},
-                                                {kJitterMm, "jitter mm"}}};
+                                                {kGraspTop1, "top1 %", 0, 100}}};
 
 void print_stage(const char* name, const std::vector<double>& ms) {
   const Spread s = spread(ms);
   fmt::print("  {:9} median {:7.3f} ms   p90 {:7.3f} ms\n", name, s.median, s.p90);
 }
 
+std::string number(double value, int decimals) {
+  if (std::isnan(value)) return "-";
+  const std::string text = fmt::format("{:.{}f}", value, decimals);
+  const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+  return is_zero && text.front() == '-' ? text.substr(1) : text;
+}
+
 std::string number(double value, const Column& column) {
-  return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value * column.factor, column.decimals);
+  return number(value * column.factor, column.decimals);
 }
 
 void print_line(const std::string& name, const Summary& summary) {
@@ -89,14 +94,17 @@ std::string difference_name(const SetDifference& d) {
 }
 
 void print_gap(const std::string& name, const Gap& gap, int decimals) {
-  fmt::print("{:26} {:8.{}f} {:10.{}f} {:8.{}f} {:10.{}f} {:11.{}f} {:10.{}f} {:8.{}f}\n", name,
-             gap.total(), decimals, gap.retrieval, decimals, gap.choice, decimals, gap.placement,
-             decimals, gap.unanswered, decimals, gap.view, decimals, gap.pose, decimals);
+  fmt::print("{:26}", name);
+  for (const double part : {gap.total(), gap.retrieval, gap.choice, gap.placement, gap.unanswered})
+    fmt::print(" {:>10}", number(part, decimals));
+  fmt::print("  |");
+  for (const double part : {gap.view, gap.pose}) fmt::print(" {:>8}", number(part, decimals));
+  fmt::print("\n");
 }
 
 void print_gaps(const std::vector<SetRun>& runs) {
-  fmt::print("\n{:26} {:>8} {:>10} {:>8} {:>10} {:>11} {:>10} {:>8}\n", "gap to the oracle",
-             "total", "retrieval", "choice", "placement", "unanswered", "| view", "pose");
+  fmt::print("\n{:26} {:>10} {:>10} {:>10} {:>10} {:>10}  | {:>8} {:>8}\n", "gap to the oracle",
+             "total", "retrieval", "choice", "placement", "unanswered", "view", "pose");
   for (const SetRun& run : runs) {
     const std::string name = run_name(run.temporal, run.alpha);
     print_gap(name, run.pose_error_gap, 2);

@@ -28,6 +28,26 @@ std::size_t cheapest(std::size_t count, const std::vector<Target>& truth, const 
   return best;
 }
 
+Summary with_jitter(Summary summary, const std::vector<Keypoints>& joints,
+                    const std::vector<Target>& truth) {
+  std::vector<Keypoints> true_joints;
+  for (const Target& frame : truth) true_joints.push_back(frame.pose.joints);
+  summary.mean[kJitterMm] = jitter_mm(joints, true_joints);
+  return summary;
+}
+
+Summary oracle_errors(const PoseGrid& grid, const std::vector<FrameOracle>& oracle,
+                      const std::vector<Target>& truth) {
+  std::vector<FrameErrors> errors;
+  std::vector<Keypoints> joints;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const GridPlace& best = oracle[i].best_mpjpe;
+    errors.push_back(oracle[i].errors);
+    joints.push_back(grid.seen(best.pose, best.view, truth[i].pose).joints);
+  }
+  return with_jitter(summarize(errors), joints, truth);
+}
+
 Summary constant_errors(const PoseGrid& grid, const std::vector<Target>& truth) {
   const std::size_t view =
       cheapest(grid.views().size(), truth, [&](std::size_t v, const Target& frame) {
@@ -40,11 +60,13 @@ Summary constant_errors(const PoseGrid& grid, const std::vector<Target>& truth) 
       });
   const GraspWeights grasp = {{grid.poses()[pose].grasp, 1}};
   std::vector<FrameErrors> errors;
-  errors.reserve(truth.size());
+  std::vector<Keypoints> joints;
   for (const Target& frame : truth) {
-    errors.push_back(compare({grid.seen(pose, view, frame.pose), grasp}, frame));
+    const Pose seen = grid.seen(pose, view, frame.pose);
+    errors.push_back(compare({seen, grasp}, frame));
+    joints.push_back(seen.joints);
   }
-  return summarize(errors);
+  return with_jitter(summarize(errors), joints, truth);
 }
 
 std::uint32_t random_row(const PoseGrid& grid, RandomStream& random) {
@@ -62,16 +84,17 @@ GraspWeights random_grasps(const PoseGrid& grid, RandomStream& random) {
 
 Summary random_errors(const PoseGrid& grid, const std::vector<Target>& truth, std::uint64_t seed) {
   std::vector<FrameErrors> errors;
+  std::vector<Keypoints> joints;
   for (std::size_t frame = 0; frame < truth.size(); ++frame) {
     RandomStream random(seed, frame);
     for (int i = 0; i < kRandomRowsPerFrame; ++i) {
       const std::uint32_t row = random_row(grid, random);
-      errors.push_back(compare({grid.seen(grid.pose_of(row), grid.view_of(row), truth[frame].pose),
-                                random_grasps(grid, random)},
-                               truth[frame]));
+      const Pose seen = grid.seen(grid.pose_of(row), grid.view_of(row), truth[frame].pose);
+      errors.push_back(compare({seen, random_grasps(grid, random)}, truth[frame]));
+      if (i == 0) joints.push_back(seen.joints);
     }
   }
-  return summarize(errors);
+  return with_jitter(summarize(errors), joints, truth);
 }
 
 }  // namespace
@@ -80,10 +103,7 @@ Baselines baselines(const PoseGrid& grid, const std::vector<Target>& truth, std:
   Baselines result;
   result.oracle.resize(truth.size());
   parallel_for(truth.size(), 0, [&](std::size_t i) { result.oracle[i] = oracle(grid, truth[i]); });
-  std::vector<FrameErrors> best;
-  best.reserve(truth.size());
-  for (const FrameOracle& frame : result.oracle) best.push_back(frame.errors);
-  result.oracle_mean = summarize(best);
+  result.oracle_mean = oracle_errors(grid, result.oracle, truth);
   result.random = random_errors(grid, truth, seed);
   result.constant = constant_errors(grid, truth);
   return result;

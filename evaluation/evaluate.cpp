@@ -41,21 +41,6 @@ class LastSearch : public Search {
   mutable std::vector<Neighbor> found_;
 };
 
-void render_all(const SequenceRenderer& sequence, Stage& stage, SequenceEvaluation& result) {
-  const auto count = static_cast<std::size_t>(sequence.spec().frame_count());
-  stage.gray.resize(count);
-  stage.hand.resize(count);
-  result.truth.resize(count);
-  result.occlusion.resize(count);
-  parallel_for(count, 0, [&](std::size_t i) {
-    SequenceFrame rendered = sequence.render(static_cast<int>(i));
-    stage.gray[i] = to_gray(rendered.color);
-    stage.hand[i] = std::move(rendered.hand);
-    result.truth[i] = rendered.truth;
-    result.occlusion[i] = rendered.occlusion;
-  });
-}
-
 void count_far_grasps(SequenceEvaluation& result) {
   for (std::size_t i = 0; i < result.truth.size(); ++i) {
     if (result.truth[i].closure < kGraspingClosure) continue;
@@ -74,9 +59,9 @@ std::vector<Runner> runners(const Stage& stage, const Search& search) {
 std::vector<EvalRun> run_all(const Stage& stage, const Search& search, double alpha) {
   const LastSearch last(search);
   std::vector<Runner> models = runners(stage, last);
-  for (std::size_t i = 0; i < stage.hand.size(); ++i) {
+  for (std::size_t i = 0; i < stage.frames.hand.size(); ++i) {
     const Mask hand =
-        isolate_hand(add_segmentation_noise(stage.hand[i], alpha, stage.options.seed, i));
+        isolate_hand(add_segmentation_noise(stage.frames.hand[i], alpha, stage.options.seed, i));
     for (Runner& model : models) model.step(hand);
   }
   std::vector<EvalRun> runs;
@@ -85,17 +70,17 @@ std::vector<EvalRun> run_all(const Stage& stage, const Search& search, double al
 }
 
 std::vector<Recovery> recover(const Stage& stage, const Search& search) {
-  const std::size_t count = stage.hand.size();
+  const std::size_t count = stage.frames.hand.size();
   if (count <= kBlackFrames) return {};
   const std::size_t black = (count - kBlackFrames) / 2, seen_again = black + kBlackFrames;
   const LastSearch last(search);
   std::vector<Runner> models = runners(stage, last);
   std::vector<Recovery> recoveries;
   for (const TemporalModel model : stage.options.temporal) recoveries.push_back({model, 0, false});
-  const Mask nothing(stage.camera.width, stage.camera.height);
+  const Mask nothing(stage.frames.camera.width, stage.frames.camera.height);
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_black = i >= black && i < seen_again;
-    const Mask hand = is_black ? nothing : isolate_hand(stage.hand[i]);
+    const Mask hand = is_black ? nothing : isolate_hand(stage.frames.hand[i]);
     for (std::size_t m = 0; m < models.size(); ++m) {
       const FrameResult& frame = models[m].step(hand);
       if (i < seen_again || recoveries[m].recovered) continue;
@@ -128,17 +113,37 @@ void run_everything(const Stage& stage, const Search& search, const Progress& pr
 
 }  // namespace
 
-SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, const Search& search,
-                            const SequenceRenderer& sequence, const EvalOptions& options,
-                            const Progress& progress) {
+SequenceFrames render_frames(const SequenceRenderer& sequence) {
   const SequenceSpec& spec = sequence.spec();
-  SequenceEvaluation result{.name = spec.name, .grasp_type = spec.grasp_type};
-  Stage stage{.database = database, .grid = grid, .options = options, .camera = spec.camera};
-  render_all(sequence, stage, result);
-  for (const FrameTruth& frame : result.truth)
-    stage.truth.push_back(target_of(frame, spec.camera, spec.grasp_type));
-  stage.baselines = result.baselines = baselines(grid, stage.truth, options.seed);
+  const auto count = static_cast<std::size_t>(spec.frame_count());
+  SequenceFrames frames{.name = spec.name, .grasp_type = spec.grasp_type, .camera = spec.camera};
+  frames.gray.resize(count);
+  frames.hand.resize(count);
+  frames.truth.resize(count);
+  frames.occlusion.resize(count);
+  parallel_for(count, 0, [&](std::size_t i) {
+    SequenceFrame rendered = sequence.render(static_cast<int>(i));
+    frames.gray[i] = to_gray(rendered.color);
+    frames.hand[i] = std::move(rendered.hand);
+    frames.truth[i] = rendered.truth;
+    frames.occlusion[i] = rendered.occlusion;
+  });
+  return frames;
+}
+
+SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, const Search& search,
+                            const SequenceFrames& frames, const EvalOptions& options,
+                            const Progress& progress) {
+  SequenceEvaluation result{.name = frames.name,
+                            .grasp_type = frames.grasp_type,
+                            .truth = frames.truth,
+                            .occlusion = frames.occlusion};
+  std::vector<Target> truth;
+  for (const FrameTruth& frame : frames.truth)
+    truth.push_back(target_of(frame, frames.camera, frames.grasp_type));
+  result.baselines = baselines(grid, truth, options.seed);
   count_far_grasps(result);
+  const Stage stage{database, grid, frames, options, std::move(truth), result.baselines};
   run_everything(stage, search, progress, result);
   return result;
 }

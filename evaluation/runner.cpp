@@ -47,7 +47,7 @@ Runner::Runner(const Stage& stage, const Search& search, TemporalModel model)
 
 const FrameResult& Runner::step(const Mask& hand) {
   const std::size_t i = frames_.size();
-  const Estimate estimate = tracker_.step({stage_.gray[i], hand, stage_.camera});
+  const Estimate estimate = tracker_.step({stage_.frames.gray[i], hand, stage_.frames.camera});
   if (estimate.valid) last_ = answer_of(estimate, stage_.database);
   frames_.push_back({.valid = estimate.valid,
                      .confidence = estimate.confidence,
@@ -81,14 +81,15 @@ EvalRun Runner::run(double alpha) const {
   run.errors.mean[kJitterMm] = jitter_mm(joints_, true_joints(stage_.truth));
   run.pose_error_gap = mean_gap(collect(frames_, &FrameResult::pose_error_gap));
   run.mpjpe_gap = mean_gap(collect(frames_, &FrameResult::mpjpe_gap));
-  run.smallest_box_px = stage_.camera.height;
+  run.smallest_box_px = stage_.frames.camera.height;
   std::vector<double> distances;
   for (const FrameResult& frame : frames_) {
-    run.valid += frame.valid ? 1.0 / static_cast<double>(frames_.size()) : 0;
+    run.valid += frame.valid ? 1 : 0;
     if (frame.box_height_px == 0) continue;
     run.smallest_box_px = std::min<double>(run.smallest_box_px, frame.box_height_px);
     distances.push_back(frame.distance);
   }
+  run.valid /= static_cast<double>(frames_.size());
   run.median_distance = spread(distances).median;
   return run;
 }

@@ -11,12 +11,10 @@ namespace graspdb {
 struct Stage {
   const Database& database;
   const PoseGrid& grid;
+  const SequenceFrames& frames;
   const EvalOptions& options;
-  Intrinsics camera;
-  std::vector<GrayImage> gray;  // a frame each, as the next two
-  std::vector<Mask> hand;
-  std::vector<Target> truth;
-  Baselines baselines;
+  std::vector<Target> truth;  // a frame each
+  const Baselines& baselines;
 };
 
 // One tracker on its way through the frames.

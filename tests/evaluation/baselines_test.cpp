@@ -112,6 +112,19 @@ TEST_F(BaselinesOfASmallGrid, NoRowIsBetterThanTheOracleAndARandomRowIsWorse) {
   EXPECT_TRUE(std::isnan(base.random.mean[kGraspTop1]));  // no type was asked for
 }
 
+TEST_F(BaselinesOfASmallGrid, TheJitterIsThatOfTheRowsTheyName) {
+  std::vector<Keypoints> best, truth;
+  for (const Target& frame : truth_) {
+    const GridPlace place = oracle(*grid_, frame).best_mpjpe;
+    best.push_back(grid_->seen(place.pose, place.view, frame.pose).joints);
+    truth.push_back(frame.pose.joints);
+  }
+  const Baselines base = baselines(*grid_, truth_, 3);
+  EXPECT_NEAR(base.oracle_mean.mean[kJitterMm], jitter_mm(best, truth), 1e-9);
+  EXPECT_GT(base.random.mean[kJitterMm], base.oracle_mean.mean[kJitterMm]);
+  EXPECT_GT(base.constant.mean[kJitterMm], 0);
+}
+
 TEST_F(BaselinesOfASmallGrid, ARandomRowHasTheMeanErrorOfAllRows) {
   std::vector<FrameErrors> all;
   for (Target& truth : truth_) {

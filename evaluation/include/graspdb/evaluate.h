@@ -63,8 +63,8 @@ struct Recovery {
 struct SequenceEvaluation {
   std::string name;
   std::optional<int> grasp_type;
-  std::vector<FrameTruth> truth;
-  std::vector<double> occlusion;  // a frame each
+  std::vector<FrameTruth> truth;  // a frame each, as the share of the hand that is hidden
+  std::vector<double> occlusion;
   Baselines baselines;
   // Frames whose hand is closed at least half, and those of them whose fingers are 5 degrees or
   // more from the nearest pose of the database.
@@ -76,9 +76,21 @@ struct SequenceEvaluation {
 constexpr double kGraspingClosure = 0.5;
 constexpr double kTypeClosure = 0.8;  // from which the type of a grasp is asked for
 
-// Holds the pictures of this one sequence in memory. Uses all processors.
+// What the tracker is shown of one sequence and what it is held against.
+struct SequenceFrames {
+  std::string name;
+  std::optional<int> grasp_type;  // Feix's number, if the grasp is one of them
+  Intrinsics camera;
+  std::vector<GrayImage> gray;  // a frame each, as all that follow
+  std::vector<Mask> hand;       // visible; noise is added by evaluate()
+  std::vector<FrameTruth> truth;
+  std::vector<double> occlusion;
+};
+SequenceFrames render_frames(const SequenceRenderer& sequence);
+
+// Uses all processors.
 SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, const Search& search,
-                            const SequenceRenderer& sequence, const EvalOptions& options,
+                            const SequenceFrames& frames, const EvalOptions& options,
                             const Progress& progress = {});
 
 Pose pose_of(const FrameTruth& truth);

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// eval: the files that plots and reports are made from.
+#include <gmock/gmock.h>
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "graspdb/file.h"
+#include "program.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run_program;
+
+const fs::path kSource = GRASPDB_SOURCE_DIR;
+
+// A tripod, closing, on the male hand, whose closed pose the project keeps; small and short, 14
+// frames.
+void write_short_sequence(const fs::path& folder, const std::string& name) {
+  fs::create_directories(folder / "closed");
+  for (const char* file : {"14_tripod.toml", "rest.toml", "closed/male.toml"})
+    fs::copy_file(kSource / "grasps" / file, folder / file, fs::copy_options::skip_existing);
+  write_text(folder / (name + ".seq.toml"), "name = \"" + name + R"("
+seed = 1
+visible_forearm_mm = 50
+grasp = "14_tripod.toml"
+grasp_type = 14
+object_visible = false
+[camera]
+width_px = 320
+height_px = 240
+focal_px = 400
+[look]
+skin_bgr = [125, 155, 215]
+object_bgr = [150, 90, 40]
+towards_light = [0.3, -0.5, -1]
+sensor_noise = 2
+[hand]
+file = "assets/hands/male.glb"
+[[keyframe]]
+time_s = 0
+closure = 0
+view_deg = [10, 0, 0]
+palm_mm = [0, 0, 450]
+[[keyframe]]
+time_s = 1.3
+closure = 1
+view_deg = [30, 0, 0]
+palm_mm = [10, 0, 450]
+)");
+}
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> all;
+  std::istringstream text(line + ",");
+  for (std::string cell; std::getline(text, cell, ',');) all.push_back(cell);
+  return all;
+}
+
+// Lines as column to cell.
+std::vector<std::map<std::string, std::string>> read_csv(const fs::path& file) {
+  std::istringstream text(read_text(file));
+  std::string line;
+  std::getline(text, line);
+  const std::vector<std::string> names = cells(line);
+  std::vector<std::map<std::string, std::string>> lines;
+  while (std::getline(text, line)) {
+    const std::vector<std::string> values = cells(line);
+    EXPECT_EQ(values.size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (i == 0) lines.emplace_back();
+      lines.back()[names[i]] = values[i];
+    }
+  }
+  return lines;
+}
+
+class Eval : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    directory_ = std::make_unique<testing::TemporaryDirectory>();
+    ASSERT_EQ(testing::build_tiny(*directory_ / "tiny.graspdb").code, 0);
+    write_short_sequence(*directory_ / "set", "one");
+    write_short_sequence(*directory_ / "set", "two");
+    outcome_ = run_program("eval " + path("tiny.graspdb") + " --sequences " + path("set") +
+                           " --alphas 0,2 --out " + path("out") + " --json");
+    ASSERT_EQ(outcome_.code, 0) << outcome_.err;
+  }
+  static void TearDownTestSuite() { directory_.reset(); }
+  static std::string path(const std::string& name) { return (*directory_ / name).string(); }
+
+  static std::unique_ptr<testing::TemporaryDirectory> directory_;
+  static Outcome outcome_;
+};
+std::unique_ptr<testing::TemporaryDirectory> Eval::directory_;
+Outcome Eval::outcome_;
+
+TEST_F(Eval, JsonHasTheKeysThatOthersRelyOn) {
+  const json report = json::parse(outcome_.out);
+  EXPECT_EQ(report, json::parse(read_text(path("out/eval.json"))));
+  ASSERT_EQ(report["rows"].size(), 12U);  // 2 sequences x 3 models x 2 alphas
+  for (const json& row : report["rows"]) {
+    for (const char* key : {"sequence", "temporal", "alpha", "oracle", "random", "constant"})
+      EXPECT_TRUE(row.contains(key)) << key;
+    for (const json* errors : {&row, &row["oracle"], &row["random"], &row["constant"]}) {
+      for (const char* key : {"pose_error", "joint_deg", "mpjpe_mm", "pa_mpjpe_mm", "flips"})
+        EXPECT_TRUE((*errors)[key].is_number()) << key;
+      EXPECT_TRUE((*errors)["rotation_deg"]["p90"].is_number());
+      EXPECT_TRUE((*errors)["grasp_top1"].is_number());
+    }
+    EXPECT_GE(row["mpjpe_mm"], row["oracle"]["mpjpe_mm"]);
+  }
+  EXPECT_EQ(report["set"]["runs"].size(), 6U);
+  EXPECT_EQ(report["set"]["differences"].size(), 9U);
+  EXPECT_EQ(report["set"]["runs"][0]["means"]["pose_error"]["sequences"], 2);
+  EXPECT_EQ(report["set"]["recovery"].size(), 3U);
+  EXPECT_EQ(report["database"]["content_hash"].get<std::string>().size(), 32U);
+}
+
+TEST_F(Eval, FramesAreALineEachAndAddUpToTheRun) {
+  const auto frames = read_csv(path("out/frames.csv")), runs = read_csv(path("out/runs.csv"));
+  ASSERT_EQ(frames.size(), 12U * 14);
+  ASSERT_EQ(runs.size(), 12U);
+  double sum = 0;
+  for (std::size_t i = 0; i < 14; ++i) {
+    EXPECT_EQ(frames[i].at("sequence"), "\"one\"");
+    EXPECT_EQ(frames[i].at("frame"), std::to_string(i));
+    EXPECT_LE(std::stod(frames[i].at("oracle_pose_error")),
+              std::stod(frames[i].at("pose_error")) + 0.2);
+    sum += std::stod(frames[i].at("pose_error"));
+  }
+  EXPECT_NEAR(std::stod(runs[0].at("pose_error")), sum / 14, 1e-5);
+  EXPECT_EQ(frames[0].at("grasp_top1"), "");  // not closed enough to ask for the type
+  EXPECT_NE(frames[13].at("grasp_top1"), "");
+}
+
+TEST_F(Eval, TheTableNamesOracleRandomRowAndIntervals) {
+  const Outcome table = run_program("eval " + path("tiny.graspdb") + " --sequences " +
+                                    path("set/one.seq.toml") + " --alphas 0");
+  EXPECT_EQ(table.code, 0);
+  for (const char* text : {"one:", "oracle", "random row", "best constant", "kde - none at 0 %",
+                           "gap to the oracle", "after 10 black frames", "95 %"})
+    EXPECT_THAT(table.out, HasSubstr(text));
+}
+
+TEST_F(Eval, AHandThatIsNotThereIsNamedBeforeAnythingIsRun) {
+  write_short_sequence(*directory_ / "absent", "one");
+  std::string text = read_text(path("absent/one.seq.toml"));
+  text.replace(text.find("male.glb"), 8, "none.glb");
+  write_text(path("absent/one.seq.toml"), text);
+  const Outcome outcome =
+      run_program("eval " + path("tiny.graspdb") + " --sequences " + path("absent"));
+  EXPECT_EQ(outcome.code, 1);
+  for (const char* told : {"one.seq.toml", "none.glb", "scripts/fetch_hands.sh"})
+    EXPECT_THAT(outcome.err, HasSubstr(told));
+}
+
+}  // namespace
+}  // namespace graspdb
