@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "console.h"
 #include "eval_files.h"
 #include "graspdb/error.h"
 #include "graspdb/evaluate.h"
 #include "graspdb/file.h"
+#include "nearest_object.h"
 #include "report.h"
 #include "tracker_options.h"
 #include "verbs.h"
@@ -38,17 +40,31 @@ std::vector<std::filesystem::path> sequence_files(const std::filesystem::path& g
   return files;
 }
 
+void require_hand(const SequenceSpec& spec) {
+  const auto& hand = spec.hand.file;
+  if (hand.empty() || std::filesystem::exists(hand)) return;
+  throw Error({spec.file.string(), "hand.file", "a hand; scripts/fetch_hands.sh fetches WebXR's",
+               "no file " + hand.string()});
+}
+
 // All of them before the first is run, so that a broken one is not found after minutes.
 std::vector<SequenceSpec> load_all(const std::filesystem::path& given) {
   std::vector<SequenceSpec> specs;
+  std::set<std::string> names;
   for (const auto& file : sequence_files(given)) {
     specs.push_back(load_sequence(file));
-    const auto& hand = specs.back().hand.file;
-    if (hand.empty() || std::filesystem::exists(hand)) continue;
-    throw Error({file.string(), "hand.file", "a hand; scripts/fetch_hands.sh fetches WebXR's",
-                 "no file " + hand.string()});
+    require_hand(specs.back());
+    if (names.insert(specs.back().name).second) continue;
+    throw Error({file.string(), "name", "one that no other sequence has", specs.back().name});
   }
   return specs;
+}
+
+// For the same reason.
+void require_folder(const std::filesystem::path& out) {
+  std::error_code error;
+  std::filesystem::create_directories(out, error);
+  if (error) throw Error({.file = out.string(), .expected = "a folder", .found = error.message()});
 }
 
 void write_all(const Options& options, const EvalReport& report, const std::string& json) {
@@ -59,18 +75,23 @@ void write_all(const Options& options, const EvalReport& report, const std::stri
 }
 
 void run(const Options& options) {
-  std::vector<SequenceSpec> specs = load_all(options.sequences);
   const Database database = Database::open(options.database);
+  std::vector<SequenceSpec> specs = load_all(options.sequences);
+  if (!options.out.empty()) require_folder(options.out);
   const PoseGrid grid(database);
   const auto search = open_search(database, options.tracker.search);
   const EvalOptions settings{
       .alphas = options.alphas, .tracker = options.tracker.values, .seed = options.seed};
+  const DatabaseObjects objects(database);
   EvalReport report;
   for (SequenceSpec& spec : specs) {
+    const std::string object = objects.beside(spec);
     const SequenceFrames frames = render_frames(SequenceRenderer(std::move(spec)));
     report.sequences.push_back(evaluate(database, grid, *search, frames, settings,
                                         console_progress(frames.name + ":", "passes")));
-    if (!options.json) print(report.sequences.back());
+    if (options.json) continue;
+    print(report.sequences.back());
+    fmt::print("object: {}\n", object);
   }
   report.set = summarize_set(report.sequences, options.seed);
   if (!options.json) print(report.set, report.sequences.size());

@@ -65,7 +65,7 @@ std::string run_name(TemporalModel model, double alpha) {
 }
 
 std::string interval_text(const Interval& interval, const Column& column) {
-  if (interval.sequences == 0) return "-";
+  if (interval.sequences < 2) return number(interval.mean, column);
   return fmt::format("{} [{}, {}]", number(interval.mean, column), number(interval.low, column),
                      number(interval.high, column));
 }

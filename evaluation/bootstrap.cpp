@@ -29,6 +29,7 @@ Interval bootstrap_mean(const std::vector<double>& per_sequence, std::uint64_t s
   if (values.empty()) return {kNan, kNan, kNan, 0};
   double sum = 0;
   for (double value : values) sum += value;
+  if (values.size() < 2) return {sum, kNan, kNan, values.size()};
   std::vector<double> means(kBootstrapDraws);
   for (std::size_t draw = 0; draw < means.size(); ++draw) {
     means[draw] = drawn_mean(values, RandomStream(seed, draw));

@@ -146,8 +146,9 @@ TEST_F(Eval, TheTableNamesOracleRandomRowAndIntervals) {
   const Outcome table = run_program("eval " + path("tiny.graspdb") + " --sequences " +
                                     path("set/one.seq.toml") + " --alphas 0");
   EXPECT_EQ(table.code, 0);
-  for (const char* text : {"one:", "oracle", "random row", "best constant", "kde - none at 0 %",
-                           "gap to the oracle", "after 10 black frames", "95 %"})
+  for (const char* text :
+       {"one:", "object: ", "nearest in the database: ", "oracle", "random row", "best constant",
+        "kde - none at 0 %", "gap to the oracle", "after 10 black frames", "95 %"})
     EXPECT_THAT(table.out, HasSubstr(text));
 }
 
@@ -161,6 +162,23 @@ TEST_F(Eval, AHandThatIsNotThereIsNamedBeforeAnythingIsRun) {
   EXPECT_EQ(outcome.code, 1);
   for (const char* told : {"one.seq.toml", "none.glb", "scripts/fetch_hands.sh"})
     EXPECT_THAT(outcome.err, HasSubstr(told));
+}
+
+TEST_F(Eval, TwoSequencesOfOneNameAreRefused) {
+  write_short_sequence(*directory_ / "twins", "one");
+  fs::copy_file(path("twins/one.seq.toml"), path("twins/other.seq.toml"));
+  const Outcome outcome =
+      run_program("eval " + path("tiny.graspdb") + " --sequences " + path("twins"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("other.seq.toml"));
+}
+
+TEST_F(Eval, AnOutputThatIsNoFolderIsRefusedBeforeAnythingIsRun) {
+  const Outcome outcome = run_program("eval " + path("tiny.graspdb") + " --sequences " +
+                                      path("set") + " --out " + path("tiny.graspdb"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("tiny.graspdb"));
+  EXPECT_EQ(outcome.out, "");
 }
 
 }  // namespace

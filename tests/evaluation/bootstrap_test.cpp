@@ -61,6 +61,12 @@ TEST(Bootstrap, SequencesWithoutAValueAreLeftOut) {
   EXPECT_EQ(none.sequences, 0U);
 }
 
+TEST(Bootstrap, OneSequenceSaysNothingOfOthers) {
+  const Interval one = bootstrap_mean({7}, 0);
+  EXPECT_EQ(one.mean, 7);
+  EXPECT_TRUE(std::isnan(one.low) && std::isnan(one.high));
+}
+
 TEST(Bootstrap, PairingTakesTheSequencesOwnDifficultyAway) {
   // Hard and easy sequences, on each of which a is better by one.
   std::vector<double> a, b;

@@ -17,8 +17,9 @@ struct Interval {
 constexpr int kBootstrapDraws = 10000;
 
 // The percentile bootstrap (Efron 1979) of the mean: as many values are drawn with replacement as
-// there are, `kBootstrapDraws` times. NaN values are left out; no values give NaN, one value an
-// interval without width. A pure function of its arguments.
+// there are, `kBootstrapDraws` times. NaN values are left out. No value gives NaN; one value is its
+// own mean and says nothing of how far off it may be: low and high are NaN. A pure function of its
+// arguments.
 Interval bootstrap_mean(const std::vector<double>& per_sequence, std::uint64_t seed);
 
 // Of a - b, sequence by sequence: the values of one sequence stand at one place in both.
