@@ -94,7 +94,7 @@ std::string difference_name(const SetDifference& d) {
 }
 
 void print_gap(const std::string& name, const Gap& gap, int decimals) {
-  fmt::print("{:26}", name);
+  fmt::print("{:30}", name);
   for (const double part : {gap.total(), gap.retrieval, gap.choice, gap.placement, gap.unanswered})
     fmt::print(" {:>10}", number(part, decimals));
   fmt::print("  |");
@@ -103,7 +103,7 @@ void print_gap(const std::string& name, const Gap& gap, int decimals) {
 }
 
 void print_gaps(const std::vector<SetRun>& runs) {
-  fmt::print("\n{:26} {:>10} {:>10} {:>10} {:>10} {:>10}  | {:>8} {:>8}\n", "gap to the oracle",
+  fmt::print("\n{:30} {:>10} {:>10} {:>10} {:>10} {:>10}  | {:>8} {:>8}\n", "gap to the oracle",
              "total", "retrieval", "choice", "placement", "unanswered", "view", "pose");
   for (const SetRun& run : runs) {
     const std::string name = run_name(run.temporal, run.alpha);
@@ -113,10 +113,12 @@ void print_gaps(const std::vector<SetRun>& runs) {
 }
 
 void print_calibration(const std::vector<SetRun>& runs) {
-  fmt::print("\nshare of answers right to {} degrees, by confidence; expected calibration error\n",
-             kRecoveredDeg);
+  fmt::print("\n{:30}", fmt::format("right to {} deg by confidence", kRecoveredDeg));
+  for (std::size_t bin = 1; bin <= kCalibrationBins; ++bin)
+    fmt::print(" {:>5}", fmt::format("-{:.1f}", static_cast<double>(bin) / kCalibrationBins));
+  fmt::print("   expected calibration error\n");
   for (const SetRun& run : runs) {
-    fmt::print("{:26}", run_name(run.temporal, run.alpha));
+    fmt::print("{:30}", run_name(run.temporal, run.alpha));
     for (const CalibrationBin& bin : run.calibration.bins)
       fmt::print(" {:>5}", bin.frames > 0 ? fmt::format("{:.2f}", bin.right) : "-");
     fmt::print("   {:.3f}\n", run.calibration.expected_error);
