@@ -46,23 +46,26 @@ class Surface:
 
 
 def turned(surface, profile, sides=32):
-    """A body turned round z, from (radius, z) to (radius, z); from the middle of its bottom to that of its top."""
+    """A body round z: (radius, z) from the middle of its bottom to that of its top."""
     angles = [2 * math.pi * i / sides for i in range(sides)]
     sections = [[(r * math.cos(a), r * math.sin(a), z) for a in angles] for r, z in profile]
     surface.tube(sections, (0, 0, profile[0][1]), (0, 0, profile[-1][1]))
 
 
 def swept(surface, stations, rounded=True):
-    """Elliptic sections along a path in the xy plane: each (x, y, half in the plane, half along z)."""
+    """Elliptic sections along a path in the xy plane: (x, y, half in the plane, half along z)."""
     if rounded:
-        stations = dome(stations[1], stations[0])[::-1] + stations + dome(stations[-2], stations[-1])
+        ends = dome(stations[1], stations[0]), dome(stations[-2], stations[-1])
+        stations = ends[0][::-1] + stations + ends[1]
     sections = []
     for i, (x, y, wide, high) in enumerate(stations):
-        (x0, y0), (x1, y1) = stations[max(i - 1, 0)][:2], stations[min(i + 1, len(stations) - 1)][:2]
+        x0, y0 = stations[max(i - 1, 0)][:2]
+        x1, y1 = stations[min(i + 1, len(stations) - 1)][:2]
         length = math.hypot(x1 - x0, y1 - y0)
         nx, ny = (y1 - y0) / length, (x0 - x1) / length
         angles = [2 * math.pi * k / SIDES for k in range(SIDES)]
-        sections.append([(x + wide * math.cos(a) * nx, y + wide * math.cos(a) * ny, -high * math.sin(a))
+        sections.append([(x + wide * math.cos(a) * nx, y + wide * math.cos(a) * ny,
+                          -high * math.sin(a))
                          for a in angles])
     surface.tube(sections, (*stations[0][:2], 0), (*stations[-1][:2], 0))
 
@@ -124,7 +127,8 @@ def make_mug(radius=36.0, height=82.0, wall=4.5):
     steps = [height * k / 12 for k in range(1, 12)]
     outside = [(radius - 2, 0), (radius, 2)] + [(radius, z) for z in steps]
     rim = [(radius, height - 1.5), (radius - 1.5, height), (radius - wall + 1.5, height)]
-    inside = [(radius - wall, height - 1.5), (radius - wall, 40), (radius - wall, 10), (radius - 10, 6)]
+    inside = [(radius - wall, height - 1.5), (radius - wall, 40), (radius - wall, 10),
+              (radius - 10, 6)]
     turned(mug, outside + rim + inside, 48)
     # The handle is bent in the xz plane and ends in front of the wall.
     path = smooth([(0, 66), (12, 66), (24, 58), (26, 44), (24, 30), (12, 20), (0, 20)], 4)
@@ -149,16 +153,17 @@ def make_cup():
     wall = [(26 + 11 * k / 10, 96 * k / 10) for k in range(1, 10)]
     lid = [(37, 96), (39.5, 97), (39.5, 101), (35, 107), (33, 107)]
     turned(cup, [(25, 0), (26, 1)] + wall + lid + [(32, 104)], 48)
-    cup.write("cup.obj", "A paper cup with its lid, 79 mm across the lid and 52 mm across the foot, 107 mm high.")
+    cup.write("cup.obj", "A paper cup, 107 mm high, 79 mm across its lid, 52 mm across its foot.")
 
 
 def make_bowl():
     bowl = Surface()
     quarter = [math.pi / 2 * k / 10 for k in range(1, 10)]
-    outside = [(27, 0), (28, 1), (28, 5)] + [(28 + 32 * math.sin(a), 60 - 54 * math.cos(a)) for a in quarter]
+    outside = [(28 + 32 * math.sin(a), 60 - 54 * math.cos(a)) for a in quarter]
+    foot = [(27, 0), (28, 1), (28, 5)]
     rim = [(60, 59), (59, 60), (56.5, 60), (55.5, 58)]
     inside = [(24 + 31 * math.sin(a), 60 - 50 * math.cos(a)) for a in quarter[::-1]]
-    turned(bowl, outside + rim + inside, 48)
+    turned(bowl, foot + outside + rim + inside, 48)
     bowl.write("bowl.obj", "A rice bowl, 120 mm across and 60 mm high, its foot 56 mm across.")
 
 
@@ -182,55 +187,66 @@ def make_wine_glass():
 
 def make_screwdriver():
     driver = Surface()
-    turned(driver, [(1, -62), (1.6, -61), (1.6, -10), (3, -8), (4.5, -2), (5, 10), (5, 25), (5, 40), (3.4, 44),
-                    (3.4, 47), (6.5, 49), (7, 51), (7, 55), (6, 57)])
-    driver.write("screwdriver.obj", "A watchmaker's screwdriver, 119 mm long, 10 mm thick, with a cap that turns.")
+    blade = [(1, -62), (1.6, -61), (1.6, -10), (3, -8), (4.5, -2)]
+    grip = [(5, 10), (5, 25), (5, 40), (3.4, 44), (3.4, 47)]
+    turned(driver, blade + grip + [(6.5, 49), (7, 51), (7, 55), (6, 57)])
+    driver.write("screwdriver.obj",
+                 "A watchmaker's screwdriver, 119 mm long, 10 mm thick, with a cap that turns.")
 
 
-def make_torch():
-    torch = Surface()
-    turned(torch, [(17, 0), (19, 2), (19, 30), (19, 60), (19, 90), (19, 118), (21, 124), (29, 138), (30, 141),
-                   (30, 158), (28, 160)], 40)
-    torch.write("torch.obj", "A torch, 160 mm long, its body 38 mm and its head 60 mm thick.")
+def make_microphone():
+    microphone = Surface()
+    body = [(15, 0), (17, 2), (17.5, 30), (18.5, 60), (19.5, 90), (21, 118), (22, 122)]
+    ball = [(27 * math.sin(a), 142 - 27 * math.cos(a))
+            for a in (math.pi * k / 20 for k in range(7, 20))]
+    turned(microphone, body + ball, 40)
+    microphone.write("microphone.obj", "A microphone, 169 mm long, 37 mm thick, its ball 54 mm.")
 
 
 def make_hammer():
     hammer = Surface()
-    handle = smooth([(-125, 0, 16, 12), (-105, 0, 17, 13), (-60, 0, 15.5, 11.5), (0, 0, 16, 11.5), (60, 0, 14, 10.5),
-                     (110, 0, 13, 10), (130 - GAP, 0, 13, 10)])
+    handle = smooth([(-125, 0, 16, 12), (-105, 0, 17, 13), (-60, 0, 15.5, 11.5), (0, 0, 16, 11.5),
+                     (60, 0, 14, 10.5), (110, 0, 13, 10), (130 - GAP, 0, 13, 10)])
     swept(hammer, dome(handle[1], handle[0])[::-1] + handle, rounded=False)
-    head = [(143, -42, 10, 10), (143, -40, 12, 12), (143, -28, 13, 13), (143, 10, 13, 13), (143, 22, 12, 12),
-            (143, 45, 7, 13), (143, 60, 2.5, 13)]
+    head = [(143, -42, 10, 10), (143, -40, 12, 12), (143, -28, 13, 13), (143, 10, 13, 13),
+            (143, 22, 12, 12), (143, 45, 7, 13), (143, 60, 2.5, 13)]
     swept(hammer, head, rounded=False)
-    hammer.write("hammer.obj", "A hammer along x, 281 mm long, its handle 24 x 32 mm where it is gripped.")
+    hammer.write("hammer.obj",
+                 "A hammer along x, 293 mm long, its handle 23 x 32 mm where it is gripped.")
 
 
 def make_pliers():
     pliers = Surface()
     disc(pliers, 0, 0, 12, 7)
-    handle = smooth([(-17.5, 6.5, 5, 5), (-28, 13, 5.5, 6), (-55, 21, 6, 7), (-90, 22, 6, 7), (-120, 19, 6, 7)])
+    handle = smooth([(-17.5, 6.5, 5, 5), (-28, 13, 5.5, 6), (-55, 21, 6, 7), (-90, 22, 6, 7),
+                     (-120, 19, 6, 7)])
     jaw = [(18, 4.8, 4.5, 6), (30, 5.6, 5, 5.5), (48, 4, 3.4, 4)]
     for half in (handle, mirrored(handle), jaw, mirrored(jaw)):
         swept(pliers, half)
-    pliers.write("pliers.obj", "Pliers along x, 180 mm long, 56 mm across their handles.")
+    pliers.write("pliers.obj", "Pliers along x, 177 mm long, 56 mm across their handles.")
 
 
 def make_scissors():
     scissors = Surface()
     disc(scissors, 0, 0, 6, 4)
     for side in (1, -1):
-        shank = [(-6.5 - GAP - 3, 3 * side, 2.8, 3), (-25, 6 * side, 3, 3.2), (-47, 13 * side, 3, 3.2)]
+        shank = [(-6.5 - GAP - 3, 3 * side, 2.8, 3), (-25, 6 * side, 3, 3.2),
+                 (-47, 13 * side, 3, 3.2)]
         swept(scissors, shank)
         ring(scissors, -68.5, 19 * side, 15, 3)
-    swept(scissors, [(9, 0, 7, 1.8), (30, 0, 7, 1.8), (60, 0, 5.5, 1.6), (85, 0, 3, 1.4), (95, 0, 1, 1)])
-    scissors.write("scissors.obj", "Household scissors along x, closed, 183 mm long, blades 14 mm wide.")
+    swept(scissors,
+          [(9, 0, 7, 1.8), (30, 0, 7, 1.8), (60, 0, 5.5, 1.6), (85, 0, 3, 1.4), (95, 0, 1, 1)])
+    scissors.write("scissors.obj",
+                   "Household scissors along x, closed, 183 mm long, blades 14 mm wide.")
 
 
 def make_spoon():
     spoon = Surface()
-    swept(spoon, smooth([(-95, 6, 1.2, 7), (-80, 6, 1.4, 9), (-50, 4, 1.6, 6.5), (-10, 1, 1.8, 4), (30, 3, 2, 3.6),
-                         (45, 3, 1.8, 7), (60, 0, 1.5, 17), (75, -1, 1.4, 20), (88, 1, 1.4, 16), (97, 4, 1.2, 6)], 5))
-    spoon.write("spoon.obj", "A table spoon along x, 195 mm long, flat along y.")
+    handle = [(-95, 6, 1.2, 7), (-80, 6, 1.4, 9), (-50, 4, 1.6, 6.5), (-10, 1, 1.8, 4)]
+    hollow = [(30, 3, 2, 3.6), (45, 3, 1.8, 7), (60, 0, 1.5, 17), (75, -1, 1.4, 20),
+              (88, 1, 1.4, 16), (97, 4, 1.2, 6)]
+    swept(spoon, smooth(handle + hollow, 5))
+    spoon.write("spoon.obj", "A table spoon along x, 194 mm long, flat along y.")
 
 
 def make_banana():
@@ -248,12 +264,14 @@ def make_banana():
 def make_bat():
     bat = Surface()
     disc(bat, 0, 0, 76, 6)
-    handle = smooth([(-76.6 - GAP, 0, 13, 9), (-95, 0, 12, 10), (-130, 0, 12.5, 10.5), (-172, 0, 15, 11.5)])
+    handle = smooth([(-76.6 - GAP, 0, 13, 9), (-95, 0, 12, 10), (-130, 0, 12.5, 10.5),
+                     (-172, 0, 15, 11.5)])
     swept(bat, handle + dome(handle[-2], handle[-1]), rounded=False)
     bat.write("bat.obj", "A table tennis bat, its handle along -x, its blade 152 mm across.")
 
 
 if __name__ == "__main__":
-    for make in (make_mug, make_cup, make_bowl, make_plate, make_wine_glass, make_screwdriver, make_torch,
-                 make_hammer, make_pliers, make_scissors, make_spoon, make_banana, make_bat):
+    for make in (make_mug, make_cup, make_bowl, make_plate, make_wine_glass, make_screwdriver,
+                 make_microphone, make_hammer, make_pliers, make_scissors, make_spoon, make_banana,
+                 make_bat):
         make()
