@@ -37,9 +37,10 @@ for sequence in bottle box; do
     "$graspdb" sequence "sequences/test/$sequence.seq.toml" --alpha 0.5 --out "$out/$sequence"
     "$graspdb" track "$out/hands.graspdb" "$out/$sequence" \
         --json "$out/$sequence.jsonl" --video "$out/$sequence.mp4" | tee "$out/$sequence.txt"
+    # The same without noise, by every temporal model.
+    "$graspdb" eval "$out/hands.graspdb" --sequences "sequences/test/$sequence.seq.toml" --alphas 0 \
+        | tee -a "$out/$sequence.txt"
 done
-# The same without noise, by every temporal model.
-"$graspdb" eval "$out/hands.graspdb" --sequences sequences/test --alphas 0 | tee "$out/eval.txt"
 "$graspdb" index "$out/hands.graspdb" --method lsh
 "$graspdb" bench "$out/hands.graspdb"
 echo "grasps: $out/grasps.png"
