@@ -26,6 +26,7 @@ sys.path.insert(0, str(ROOT / "python"))
 from graspdb_reader import Database  # pylint: disable=wrong-import-position
 
 WIDTH = 320  # of a frame in the page, pixels
+MASK_WIDTH = 260
 SIDE = 200  # of the descriptor and of the estimate
 LARGEST = 40_000_000  # bytes of the page
 METRICS = ("pose_error", "rotation_deg", "joint_deg", "mpjpe_mm", "pa_mpjpe_mm", "error_2d_palms")
@@ -35,14 +36,18 @@ def as_base64(picture, extension, options):
     return base64.b64encode(cv2.imencode(extension, picture, options)[1]).decode()
 
 
-def as_jpeg(picture, size, quality):
+def as_webp(picture, size, quality):
     small = cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
-    return as_base64(small, ".jpg", [cv2.IMWRITE_JPEG_QUALITY, quality])
+    return as_base64(small, ".webp", [cv2.IMWRITE_WEBP_QUALITY, quality])
 
 
 def as_bitmap(mask, size):
     small = cv2.resize(mask, size, interpolation=cv2.INTER_AREA)
     return as_base64((small > 127).astype("u1") * 255, ".png", [cv2.IMWRITE_PNG_BILEVEL, 1])
+
+
+def size_of(camera, width):
+    return width, round(camera["height_px"] * width / camera["width_px"])
 
 
 def number(text):
@@ -78,7 +83,8 @@ class Tracked:
 
     def __init__(self, arguments, options, directory, frame_size):
         with tempfile.TemporaryDirectory() as folder:
-            answers, video = pathlib.Path(folder, "answers.jsonl"), pathlib.Path(folder, "video.mp4")
+            answers = pathlib.Path(folder, "answers.jsonl")
+            video = pathlib.Path(folder, "video.mp4")
             command = [arguments.graspdb, "track", arguments.db, directory, "--temporal",
                        arguments.temporal, "--json", answers, "--video", video]
             for name, value in options.items():
@@ -98,7 +104,7 @@ class Tracked:
 
 
 def panels_of(video, frame_size):
-    """The descriptor and the estimate of each frame: frame, mask and these two stand side by side."""
+    """Descriptor and estimate of each frame; they stand beside frame and mask in the video."""
     capture = cv2.VideoCapture(str(video))
     while True:
         more, picture = capture.read()
@@ -108,8 +114,8 @@ def panels_of(video, frame_size):
         width = round(frame_size[0] * height / frame_size[1])
         hog = picture[:, 2 * width:2 * width + height]
         estimate = picture[:, 2 * width + height:]
-        yield (as_jpeg(cv2.cvtColor(hog, cv2.COLOR_BGR2GRAY), (SIDE, SIDE), 45),
-               as_jpeg(estimate, (SIDE, SIDE), 60))
+        yield (as_webp(cv2.cvtColor(hog, cv2.COLOR_BGR2GRAY), (SIDE, SIDE), 40),
+               as_webp(estimate, (SIDE, SIDE), 65))
 
 
 def projected(truth, camera, scale):
@@ -132,15 +138,16 @@ def frames_of(directory, header, tracked):
     """What the page shows of each frame."""
     camera = header["camera"]
     scale = WIDTH / camera["width_px"]
-    size = (WIDTH, round(camera["height_px"] * scale))
     truth = [json.loads(line) for line in (directory / "truth.jsonl").read_text().splitlines()]
     for true, answer, (hog, estimate) in zip(truth, tracked.answers, tracked.panels, strict=True):
-        file = f"{true['frame']:06}.png"
+        name = f"{true['frame']:06}.png"
+        frame = cv2.imread(str(directory / "frames" / name))
+        mask = cv2.imread(str(directory / "noisy" / name), cv2.IMREAD_GRAYSCALE)
         valid = answer["valid"]
         yield {
             "time": true["time_s"],
-            "picture": as_jpeg(cv2.imread(str(directory / "frames" / file)), size, 60),
-            "mask": as_bitmap(cv2.imread(str(directory / "noisy" / file), 0), size),
+            "picture": as_webp(frame, size_of(camera, WIDTH), 65),
+            "mask": as_bitmap(mask, size_of(camera, MASK_WIDTH)),
             "hog": hog,
             "estimate": estimate if valid else None,
             "truth_px": projected(true, camera, scale),
@@ -161,7 +168,6 @@ def sequence_of(arguments, evaluation, directory):
     options = evaluation.json["tracker"]
     tracked = Tracked(arguments, options, directory, (camera["width_px"], camera["height_px"]))
     tracked.check_against(runs[arguments.temporal], directory)
-    size = (WIDTH, round(camera["height_px"] * WIDTH / camera["width_px"]))
     return {
         "name": header["name"],
         "object": header["object"],
@@ -169,7 +175,7 @@ def sequence_of(arguments, evaluation, directory):
         "grasp_type": header["grasp_type"],
         "alpha": header["noise"]["alpha_percent"],
         "frames_per_second": header["frames_per_second"],
-        "size": size,
+        "size": size_of(camera, WIDTH),
         "errors": {model: columns_of(lines) for model, lines in runs.items()},
         "valid": {model: [line["valid"] == "1" for line in lines] for model, lines in runs.items()},
         "oracle": columns_of(next(iter(runs.values())), "oracle_"),
@@ -189,7 +195,8 @@ def page_of(evaluation, temporal, sequences):
     }
     template = pathlib.Path(__file__).with_name("report_template.html").read_text()
     # A name must not end the script that the data stands in.
-    return template.replace("{{data}}", json.dumps(data, separators=(",", ":")).replace("</", "<\\/"))
+    text = json.dumps(data, separators=(",", ":")).replace("</", "<\\/")
+    return template.replace("{{data}}", text)
 
 
 def main():
@@ -213,7 +220,8 @@ def main():
         print(f"{directory}: {len(sequences[-1]['frames'])} frames")
     page = page_of(evaluation, arguments.temporal, sequences)
     if len(page) > LARGEST:
-        raise SystemExit(f"{len(page) / 1e6:.0f} MB, more than {LARGEST / 1e6:.0f}: fewer sequences")
+        raise SystemExit(f"{len(page) / 1e6:.0f} MB, more than {LARGEST / 1e6:.0f} MB: name fewer "
+                         "sequences")
     arguments.out.write_text(page)
     print(f"{arguments.out}: {len(page) / 1e6:.1f} MB")
 
