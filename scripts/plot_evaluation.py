@@ -104,6 +104,14 @@ def draw_baselines(axes, evaluation, metric):
             textcoords="offset points", va="center", fontsize=9)
 
 
+def draw_with_intervals(axes, x, mean, ends, model):
+    """A model's means, with bars from low to high where there is an interval."""
+    low, high = ends
+    reach = numpy.array([numpy.subtract(mean, low), numpy.subtract(high, mean)]).clip(min=0)
+    axes.errorbar(x, mean, None if numpy.isnan(reach).all() else reach, label=model, capsize=2.5,
+                  markersize=5, **MODELS[model])
+
+
 def draw_over_alpha(axes, evaluation, metric):
     models = models_of(evaluation)
     widest = max(run["alpha"] for run in evaluation["set"]["runs"])
@@ -113,8 +121,7 @@ def draw_over_alpha(axes, evaluation, metric):
         mean, low, high = ([number(f[key]) for f in found] for key in ("mean", "low", "high"))
         # A little aside, so that one interval does not hide another.
         x = numpy.array([run["alpha"] for run in runs]) + (i - (len(models) - 1) / 2) * widest / 120
-        reach = numpy.array([numpy.subtract(mean, low), numpy.subtract(high, mean)])
-        axes.errorbar(x, mean, reach, label=model, capsize=2.5, markersize=5, **MODELS[model])
+        draw_with_intervals(axes, x, mean, (low, high), model)
     draw_baselines(axes, evaluation, metric)
     axes.set(xlabel="segmentation noise α (% of hand pixels dropped)", ylabel=LABELS[metric])
     axes.set_ylim(bottom=0)
@@ -125,7 +132,9 @@ def figure_alpha(evaluation, _, metric):
     """The paper's Figures 8 and 9: the error over segmentation noise."""
     figure, axes = plt.subplots(figsize=(6.4, 4.2))
     draw_over_alpha(axes, evaluation, metric)
-    axes.set_title(f"Mean over {sequence_count(evaluation)} sequences; bars: 95 % interval")
+    sequences = sequence_count(evaluation)
+    axes.set_title(f"Mean over {sequences} sequences; bars: 95 % interval" if sequences > 1 else
+                   "One sequence: no intervals")
     return figure
 
 
@@ -153,7 +162,7 @@ def occlusion_bins(frames, alpha, models):
             continue
         span = f"{OCCLUSION_EDGES[i]}–{OCCLUSION_EDGES[i + 1]} %"
         sequences = len(set(frames.sequence[here]))
-        bins.append((i, f"{span}\n{here.sum()} frames\n{sequences} seq."))
+        bins.append((i, f"{span}\nn = {here.sum()}\n{sequences} seq."))
     return bins, index
 
 
@@ -165,13 +174,11 @@ def draw_over_occlusion(axes, frames, metric, alpha, models):
         chosen = [frames.of(model, alpha) & (index == b) for b, _ in bins]
         mean = numpy.array([errors[c].mean() for c in chosen])
         ends = numpy.array([clustered_interval(errors[c], frames.sequence[c]) for c in chosen]).T
-        reach = numpy.array([mean - ends[0], ends[1] - mean]).clip(min=0)
-        axes.errorbar(x + (i - 1) * 0.06, mean, reach, label=model, capsize=2.5, markersize=5,
-                      **MODELS[model])
+        draw_with_intervals(axes, x + (i - 1) * 0.06, mean, ends, model)
     chosen = [frames.of(models[0], alpha) & (index == b) for b, _ in bins]
     axes.plot(x, [oracle[c].mean() for c in chosen], color="0.45", linewidth=1, label="oracle")
     axes.set_xticks(x, [label for _, label in bins], fontsize=8)
-    axes.set(xlabel="hand hidden by the object", ylabel=LABELS[metric])
+    axes.set(xlabel="hand hidden by the object; n: frames, seq.: sequences", ylabel=LABELS[metric])
     axes.set_ylim(bottom=0)
 
 
