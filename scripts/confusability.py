@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Which types of grasp a database's descriptors confuse: a map (PNG) and its numbers (CSV).
 

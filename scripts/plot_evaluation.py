@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Draws what `graspdb eval --out DIR` wrote: one PNG a figure (docs/evaluation.md).
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """One HTML page in which the sequences of an evaluation play frame by frame (docs/evaluation.md).
 
