@@ -33,7 +33,7 @@ def plain_nearest(database, row, k):
 
 class Confusability(unittest.TestCase):
     def test_nearest_rows_are_those_of_a_plain_loop(self):
-        for low, top in ((0, 256), (128, 256), (0, 2)):  # sums below 2^24, beyond it, and ties
+        for low, top in ((0, 256), (254, 256), (0, 2)):  # sums below 2^24, beyond it, and ties
             database = small_database(low=low, top=top)
             confusability.BLOCK, confusability.QUERIES = 64, 7
             queries = confusability.sample_rows(database, 10, 0)
