@@ -83,7 +83,7 @@ void measure(benchmark::State& state, const Body& body) {
   const embree::FlushDenormals flush;
   for (auto _ : state) {
     for (const Camera& camera : views.cameras)
-      benchmark::DoNotOptimize(body(views.pose.scene, camera));
+      benchmark::DoNotOptimize(body(views.pose.scene.scene, camera));
   }
 }
 
