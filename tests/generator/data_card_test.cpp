@@ -29,12 +29,13 @@ class DataCard : public ::testing::Test {
     return json::parse(Database::open(file).info().data_card);
   }
 
-  // The male hand with these lines on top of a rig map that states nothing.
+  // The male hand with these lines on top of a rig map that states nothing. It keeps its name, so
+  // that the committed poses are its own.
   void use_own_hand(const std::string& lines) {
-    fs::copy_file(kSource / "assets/hands/male.glb", directory_ / "own.glb");
+    fs::copy_file(kSource / "assets/hands/male.glb", directory_ / "male.glb");
     const std::string map = read_text(kSource / "assets/hands/male.rig.toml");
-    write_text(directory_ / "own.rig.toml", lines + map.substr(map.find("handedness")));
-    config_.hands = {directory_ / "own.glb"};
+    write_text(directory_ / "male.rig.toml", lines + map.substr(map.find("handedness")));
+    config_.hands = {directory_ / "male.glb"};
   }
 
   testing::TemporaryDirectory directory_;
