@@ -3,10 +3,8 @@
 
 #include <atomic>
 #include <chrono>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <tuple>
 
 #include "data_card.h"
 #include "graspdb/error.h"
@@ -32,7 +30,6 @@ fs::path work_of(const BuildJob& job) {
 struct Making {
   Shard shard;
   fs::path file;
-  const SizedGrasp* grasp;
   std::vector<Row> rows;
   std::once_flag allocated;
   std::atomic<int> steps_left;
@@ -53,7 +50,7 @@ class Maker {
   void run() {
     if (job_.progress && done_rows_ > 0) job_.progress(done_rows_, total_rows());
     const auto steps = static_cast<std::size_t>(plan_.config.steps);
-    size_grasps();
+    if (plan_.config.jitter.object_size_percent > 0) size_grasps();
     parallel_for(making_.size() * steps, job_.threads, [&](std::size_t i) {
       make_step(*making_[i / steps], static_cast<int>(i % steps) + 1);
     });
@@ -88,26 +85,12 @@ class Maker {
     if (job_.stop && job_.stop()) throw Error("interrupted");
   }
 
-  // Once for all variants of a copy: it can take a second.
+  // Ahead of the steps, so that all threads close hands, which can take a second each.
   void size_grasps() {
-    using Key = std::tuple<std::size_t, std::size_t, int>;  // hand, grasp, copy
-    std::map<Key, std::size_t> ordinals;
-    std::vector<const Shard*> shards;
-    for (const auto& making : making_) {
-      const Shard& shard = making->shard;
-      const Key key{shard.hand, shard.grasp, plan_.variants[shard.variant].copy};
-      if (ordinals.try_emplace(key, shards.size()).second) shards.push_back(&shard);
-    }
-    sized_.resize(shards.size());
-    parallel_for(shards.size(), job_.threads, [&](std::size_t i) {
+    parallel_for(making_.size(), job_.threads, [&](std::size_t i) {
       heed_stop();
-      sized_[i] = sized_grasp(plan_, *shards[i]);
+      sized_.of(making_[i]->shard);
     });
-    for (const auto& making : making_) {
-      const Shard& shard = making->shard;
-      const int copy = plan_.variants[shard.variant].copy;
-      making->grasp = &sized_[ordinals.at({shard.hand, shard.grasp, copy})];
-    }
   }
 
   void make_step(Making& making, int step) {
@@ -115,7 +98,7 @@ class Maker {
     std::call_once(making.allocated, [&] { making.rows.resize(plan_.rows_per_shard()); });
     const std::size_t views = plan_.views.size();
     const std::size_t first = static_cast<std::size_t>(step - 1) * views;
-    make_rows(plan_, making.shard, *making.grasp, step,
+    make_rows(plan_, making.shard, sized_.of(making.shard), step,
               std::span(making.rows).subspan(first, views));
     if (--making.steps_left == 0) finish(making);
     report(views);
@@ -139,7 +122,7 @@ class Maker {
   const BuildJob& job_;
   const fs::path work_;
   std::vector<std::unique_ptr<Making>> making_;
-  std::vector<SizedGrasp> sized_;
+  SizedGrasps sized_{plan_};
   std::size_t shard_count_ = 0;
   std::atomic<std::size_t> unfinished_ = 0;
   std::size_t done_rows_ = 0;

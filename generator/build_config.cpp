@@ -15,6 +15,7 @@
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/text.h"
+#include "jitter.h"
 
 namespace graspdb {
 namespace {
@@ -124,16 +125,6 @@ Jitter read_jitter(const TomlTable& table) {
                       .copies = table.integer_or("copies", 1, 1, kLargestJitter.copies)};
   table.finish();
   return jitter;
-}
-
-json to_json(const Jitter& jitter) {
-  return {{"angles_deg", jitter.angles_deg},
-          {"wrist_deg", jitter.wrist_deg},
-          {"object_size_percent", jitter.object_size_percent},
-          {"visible_forearm_mm", jitter.visible_forearm_mm},
-          {"light_deg", jitter.light_deg},
-          {"seed", jitter.seed},
-          {"copies", jitter.copies}};
 }
 
 void check_jitter(const Jitter& jitter) {
@@ -260,7 +251,7 @@ std::string config_to_json(const BuildConfig& config) {
             {"hand_hashes", config.hand_hashes},
             {"grasp_hashes", std::move(hashes)}};
   // Without it the text is that of databases from before there was any.
-  if (config.jitter.is_on()) root["jitter"] = to_json(config.jitter);
+  if (config.jitter.is_on()) root["jitter"] = jitter_json(config.jitter);
   return root.dump();
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "graspdb/hash.h"
 #include "graspdb/transform.h"
@@ -20,6 +21,16 @@ double reachable(JointAngles angles, int angle, double value) {
 }
 
 }  // namespace
+
+nlohmann::json jitter_json(const Jitter& jitter) {
+  return {{"angles_deg", jitter.angles_deg},
+          {"wrist_deg", jitter.wrist_deg},
+          {"object_size_percent", jitter.object_size_percent},
+          {"visible_forearm_mm", jitter.visible_forearm_mm},
+          {"light_deg", jitter.light_deg},
+          {"seed", jitter.seed},
+          {"copies", jitter.copies}};
+}
 
 JitterDraw::JitterDraw(const Jitter& jitter, const std::string& hand, int grasp, int copy)
     : jitter_(jitter), key_(fmt::format("{} grasp {} copy {}", hand, grasp, copy)) {}

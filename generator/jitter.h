@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "graspdb/angles.h"
@@ -8,6 +9,9 @@
 #include "graspdb/random.h"
 
 namespace graspdb {
+
+// As a configuration states it.
+nlohmann::json jitter_json(const Jitter& jitter);
 
 // How one copy of a grasp on a hand is varied. All but the light is drawn once for all steps and
 // for held and free rows, so that the steps stay one movement of one person and the variants pairs.

@@ -2,9 +2,6 @@
 #include "graspdb/row_poses.h"
 
 #include <algorithm>
-#include <map>
-#include <mutex>
-#include <tuple>
 
 #include "graspdb/error.h"
 #include "plan.h"
@@ -29,20 +26,8 @@ struct RowPoses::State {
     return {key.hand, key.variant, grasp_ordinal(plan, key.grasp)};
   }
 
-  // Closed once for all steps of all variants of a copy.
-  const SizedGrasp& sized(const Shard& shard) {
-    const std::lock_guard lock(mutex);
-    const int copy = plan.variants[shard.variant].copy;
-    const auto [entry, is_new] = known.try_emplace({shard.hand, shard.grasp, copy});
-    if (is_new) entry->second = sized_grasp(plan, shard);
-    return entry->second;
-  }
-
   const Plan plan;
-
- private:
-  std::mutex mutex;
-  std::map<std::tuple<std::size_t, std::size_t, int>, SizedGrasp> known;  // hand, grasp, copy
+  SizedGrasps sized{plan};
 };
 
 RowPoses::RowPoses(const BuildConfig& config, int threads)
@@ -68,7 +53,7 @@ RowPose RowPoses::pose(const PoseKey& key) const {
   const Plan& plan = state_->plan;
   GRASPDB_CHECK(key.step >= 1 && key.step <= plan.config.steps);
   const Shard shard = state_->shard_of(key);
-  return pose_rows(plan, shard, state_->sized(shard), key.step);
+  return pose_rows(plan, shard, state_->sized.of(shard), key.step);
 }
 
 Camera RowPoses::camera(const RowPose& pose, std::size_t view) const {

@@ -31,9 +31,9 @@ JitterDraw draw_of(const Plan& plan, const Shard& shard) {
           plan.variants[shard.variant].copy};
 }
 
-Row make_row(const Plan& plan, const Shard& shard, const PosedScene& posed, std::size_t view) {
+Row make_row(const Plan& plan, const JitterDraw& draw, const PosedScene& posed, std::size_t view) {
   const Camera camera = row_camera(plan, posed, view);
-  const Light light = row_light(plan, shard, view);
+  const Light light = draw.light(plan.config.light, view);
   const View picture = row_view(posed.scene, camera, light, plan.config.renderer);
   const Mask hand = visible_hand(picture);
   Row row;
@@ -61,6 +61,16 @@ SizedGrasp sized_grasp(const Plan& plan, const Shard& shard) {
   return {resized, close_grasp(resized, hand)};
 }
 
+const SizedGrasp& SizedGrasps::of(const Shard& shard) {
+  const auto entry_of = [&]() -> Entry& {
+    const std::lock_guard lock(mutex_);
+    return known_[{shard.hand, shard.grasp, plan_.variants[shard.variant].copy}];
+  };
+  Entry& entry = entry_of();
+  std::call_once(entry.made, [&] { entry.grasp = sized_grasp(plan_, shard); });
+  return entry.grasp;
+}
+
 RowPose pose_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step) {
   const JitterDraw draw = draw_of(plan, shard);
   GraspPose pose = pose_at_step(sized.grasp, plan.rest, sized.closed, step, plan.config.steps);
@@ -82,9 +92,10 @@ Light row_light(const Plan& plan, const Shard& shard, std::size_t view) {
 
 void make_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step,
                std::span<Row> rows) {
+  const JitterDraw draw = draw_of(plan, shard);
   const RowPose posed = pose_rows(plan, shard, sized, step);
   for (std::size_t view = 0; view < rows.size(); ++view) {
-    Row& row = rows[view] = make_row(plan, shard, posed.scene, view);
+    Row& row = rows[view] = make_row(plan, draw, posed.scene, view);
     row.label = make_label(plan.views[view], posed.pose.angles);
     row.grasp = static_cast<std::uint16_t>(sized.grasp.id);
     row.step = static_cast<std::uint8_t>(step);

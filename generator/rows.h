@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+#include <mutex>
 #include <span>
+#include <tuple>
 
 #include "graspdb/database.h"
 #include "graspdb/row_poses.h"
@@ -18,6 +21,23 @@ struct SizedGrasp {
 // Takes about a second where jitter changes the object's size, for the hand is closed again. The
 // same for a copy's held and free rows. Thread-safe.
 SizedGrasp sized_grasp(const Plan& plan, const Shard& shard);
+
+// The same, made when first asked for and once for all variants of a copy. Thread-safe; the plan
+// must outlive it.
+class SizedGrasps {
+ public:
+  explicit SizedGrasps(const Plan& plan) : plan_(plan) {}
+  const SizedGrasp& of(const Shard& shard);
+
+ private:
+  struct Entry {
+    std::once_flag made;
+    SizedGrasp grasp;
+  };
+  const Plan& plan_;
+  std::mutex mutex_;
+  std::map<std::tuple<std::size_t, std::size_t, int>, Entry> known_;  // hand, grasp, copy
+};
 
 // What all views of one step of a shard share, and what is each view's own. Pure and thread-safe.
 RowPose pose_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step);

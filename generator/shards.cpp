@@ -8,6 +8,7 @@
 
 #include "graspdb/error.h"
 #include "graspdb/hash.h"
+#include "jitter.h"
 
 namespace graspdb {
 
@@ -36,14 +37,11 @@ std::string name_of(const Plan& plan, const Shard& shard) {
 json jitter_of(const Plan& plan, const Shard& shard) {
   const Jitter& jitter = plan.config.jitter;
   if (!jitter.is_on()) return nullptr;
-  return {{"hand_name", plan.hands[shard.hand].name},
-          {"copy", plan.variants[shard.variant].copy},
-          {"seed", jitter.seed},
-          {"angles_deg", jitter.angles_deg},
-          {"wrist_deg", jitter.wrist_deg},
-          {"object_size_percent", jitter.object_size_percent},
-          {"visible_forearm_mm", jitter.visible_forearm_mm},
-          {"light_deg", jitter.light_deg}};
+  json inputs = jitter_json(jitter);
+  inputs.erase("copies");  // one more leaves the others as they are
+  inputs["hand_name"] = plan.hands[shard.hand].name;
+  inputs["copy"] = plan.variants[shard.variant].copy;
+  return inputs;
 }
 
 }  // namespace
