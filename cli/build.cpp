@@ -205,7 +205,7 @@ class RowOptions {
 
   void add_hog() {
     CLI::Option* option = verb_.add_option("--hog", options_.hog, "The descriptor's mode")
-                              ->check(CLI::IsMember({"paper", "edges"}));
+                              ->check(CLI::IsMember({"paper", "soft-edges"}));
     options_.override.emplace_back([option, &hog = options_.hog](BuildConfig& config) {
       if (option->count() > 0) config.hog = hog_from_name(hog, "--hog");
     });

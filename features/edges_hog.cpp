@@ -112,21 +112,51 @@ EdgeCanvas relative_brightness(const Resampled& picture) {
   return brightness;
 }
 
-// Splits the weight between the two nearest bins.
-void vote(float position, float weight, float* bins) {
-  if (weight <= 0) return;
-  const int bin = static_cast<int>(position);
-  const float upper = position - static_cast<float>(bin);
-  bins[bin % kBins] += weight * (1 - upper);
-  bins[(bin + 1) % kBins] += weight * upper;
+// What a pixel gives to the two cells whose centres it lies between; beyond the outermost centres
+// all goes to that cell.
+struct Share {
+  std::size_t cell;  // the first one
+  float first, second;
+};
+
+std::array<Share, kEdgeSide> shares_between_cells() {
+  std::array<Share, kEdgeSide> shares{};
+  for (std::size_t i = 0; i < kEdgeSide; ++i) {
+    const float position = (static_cast<float>(i) + 0.5F) / kCellSide - 0.5F;
+    const float inside = std::clamp(position, 0.0F, static_cast<float>(kCells - 1));
+    const std::size_t cell = std::min(static_cast<std::size_t>(inside), kCells - std::size_t{2});
+    const float second = inside - static_cast<float>(cell);
+    shares[i] = {cell, 1 - second, second};
+  }
+  return shares;
 }
 
-void vote_row(const EdgeRow& edges, float* bins) {
+using RowVotes = std::array<float, kCells * kBins>;  // of a row of cells
+
+// Splits the weight between the two nearest directions and the two nearest cells.
+void vote(float position, float weight, const Share& share, RowVotes& votes) {
+  if (weight <= 0) return;
+  const int bin = static_cast<int>(position);
+  const float upper = weight * (position - static_cast<float>(bin)), lower = weight - upper;
+  float* first = votes.data() + share.cell * kBins;
+  float* second = first + kBins;
+  first[bin % kBins] += lower * share.first;
+  first[(bin + 1) % kBins] += upper * share.first;
+  second[bin % kBins] += lower * share.second;
+  second[(bin + 1) % kBins] += upper * share.second;
+}
+
+RowVotes votes_of_row(const EdgeRow& edges, const std::array<Share, kEdgeSide>& shares) {
+  RowVotes votes{};
   for (std::size_t x = 0; x < kEdgeSide; ++x) {
-    float* of_cell = bins + x / kCellSide * kBins;
-    vote(edges.outline_bin[x], edges.outline_weight[x], of_cell);
-    vote(edges.inner_bin[x], edges.inner_weight[x], of_cell);
+    vote(edges.outline_bin[x], edges.outline_weight[x], shares[x], votes);
+    vote(edges.inner_bin[x], edges.inner_weight[x], shares[x], votes);
   }
+  return votes;
+}
+
+void add(const RowVotes& votes, float share, float* cells) {
+  for (std::size_t i = 0; i < votes.size(); ++i) cells[i] += share * votes[i];
 }
 
 }  // namespace
@@ -134,11 +164,15 @@ void vote_row(const EdgeRow& edges, float* bins) {
 Descriptor describe_edges(const GrayImage& gray, const Mask& mask, const Box& box) {
   const Resampled picture = resample(gray, mask, box);
   const EdgeCanvas brightness = relative_brightness(picture);
+  static const std::array<Share, kEdgeSide> shares = shares_between_cells();
   std::array<float, kDescriptorSize> votes{};
   EdgeRow edges;
   for (std::size_t y = 0; y < kEdgeSide; ++y) {
     find_edges(picture.coverage, brightness, y, edges);
-    vote_row(edges, votes.data() + y / kCellSide * kCells * kBins);
+    const RowVotes of_row = votes_of_row(edges, shares);
+    float* cells = votes.data() + shares[y].cell * of_row.size();
+    add(of_row, shares[y].first, cells);
+    add(of_row, shares[y].second, cells + of_row.size());
   }
   Descriptor descriptor;
   for (std::size_t i = 0; i < votes.size(); ++i) {

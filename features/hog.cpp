@@ -11,7 +11,7 @@ std::string hog_name(const HogOptions& options) {
     case HogMode::kPaper:
       return "paper";
     case HogMode::kEdges:
-      return "edges";
+      return "soft-edges";
   }
   GRASPDB_CHECK(false);
 }
@@ -21,7 +21,7 @@ HogOptions hog_from_name(std::string_view name, const std::string& file) {
     if (name == hog_name({mode})) return {mode};
   }
   throw Error(
-      {.file = file, .key = "hog", .expected = "paper or edges", .found = std::string(name)});
+      {.file = file, .key = "hog", .expected = "paper or soft-edges", .found = std::string(name)});
 }
 
 Descriptor describe(const GrayImage& gray, const Mask& mask, const HogOptions& options) {

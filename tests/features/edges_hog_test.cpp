@@ -54,6 +54,21 @@ TEST(EdgesHog, AnEdgeBetweenTwoBinsVotesForBoth) {
   EXPECT_LT(std::max(at(d, 4, 4, 4), at(d, 4, 4, 6)), 20);
 }
 
+TEST(EdgesHog, AnEdgeBetweenTwoCellsVotesForBoth) {
+  // Light to the left of x, dark to the right of it; cells are 8 wide, the fifth's centre is at 36.
+  const auto step_at = [](int x) {
+    Picture picture{GrayImage(64, 64, 200), Mask(64, 64, 255)};
+    for (int y = 0; y < 64; ++y)
+      std::fill(picture.gray.row(y) + x, picture.gray.row(y) + 64, std::uint8_t{80});
+    return describe(picture.gray, picture.mask, kEdges);
+  };
+  const Descriptor between = step_at(32), inside = step_at(36);
+  EXPECT_GT(at(between, 3, 3, 0), 80);
+  EXPECT_EQ(at(between, 3, 3, 0), at(between, 3, 4, 0));
+  EXPECT_GT(at(inside, 3, 4, 0), at(between, 3, 4, 0));
+  EXPECT_LT(at(inside, 3, 3, 0), at(inside, 3, 4, 0) / 2);
+}
+
 TEST(EdgesHog, ExposureAndFaintShadingDoNotMatter) {
   Picture bright{GrayImage(100, 100), Mask(100, 100, 255)};
   Picture dim = bright, grainy = bright;
