@@ -74,14 +74,20 @@ void write_all(const Options& options, const EvalReport& report, const std::stri
   write_text(out / "eval.json", json);
 }
 
+EvalOptions eval_options(const Options& options) {
+  EvalOptions settings{.trackers = {}, .alphas = options.alphas, .seed = options.seed};
+  for (const TemporalModel model : kTemporalModels)
+    settings.trackers.push_back(options.tracker.options(model));
+  return settings;
+}
+
 void run(const Options& options) {
   const Database database = Database::open(options.database);
   std::vector<SequenceSpec> specs = load_all(options.sequences);
   if (!options.out.empty()) require_folder(options.out);
   const PoseGrid grid(database);
   const auto search = open_search(database, options.tracker.search);
-  const EvalOptions settings{
-      .alphas = options.alphas, .tracker = options.tracker.values, .seed = options.seed};
+  const EvalOptions settings = eval_options(options);
   const DatabaseObjects objects(database);
   EvalReport report;
   for (SequenceSpec& spec : specs) {
@@ -97,8 +103,9 @@ void run(const Options& options) {
   if (!options.json) print(report.set, report.sequences.size());
   nlohmann::json json = eval_json(report);
   json["database"] = {{"content_hash", database.content_hash()}, {"rows", database.rows()}};
-  json["tracker"] = options_json(options.tracker.values);
-  json["tracker"]["search"] = options.tracker.search;
+  for (const TrackerOptions& tracker : settings.trackers)
+    json["trackers"][temporal_name(tracker.temporal)] = options_json(tracker);
+  json["search"] = options.tracker.search;
   json["seed"] = options.seed;
   const std::string text = json.dump(1) + "\n";
   if (options.json) fmt::print("{}", text);

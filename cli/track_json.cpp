@@ -9,6 +9,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kListedHypotheses = 20;
+
 template <typename Matrix>
 json columns(const Matrix& points) {
   json list = json::array();
@@ -33,8 +35,10 @@ std::string grasp_name(const Database& database, int id) {
 
 void add_answer(json& line, const Estimate& estimate, const Database& database) {
   json hypotheses = json::array();
-  for (const Hypothesis& h : estimate.hypotheses)
+  for (const Hypothesis& h : estimate.hypotheses) {
+    if (hypotheses.size() == kListedHypotheses) break;
     hypotheses.push_back({{"row", h.row}, {"weight", h.weight}});
+  }
   line["row"] = estimate.row;
   line["distance"] = estimate.distance;
   line["grasp"] = {{"id", estimate.grasp},

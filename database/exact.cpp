@@ -69,6 +69,16 @@ std::vector<Neighbor> exact_nearest(std::span<const std::uint8_t> rows, const De
   return best.take();
 }
 
+std::vector<Neighbor> measure(const Database& database, const Descriptor& query,
+                              std::span<const std::uint32_t> rows) {
+  std::vector<std::uint32_t> squared(rows.size());
+  squared_distances(query, database.hogs().data(), rows, squared);
+  std::vector<Neighbor> measured;
+  measured.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) measured.push_back({rows[i], squared[i]});
+  return measured;
+}
+
 std::unique_ptr<Search> make_exact_search(const Database& database) {
   return std::make_unique<ExactSearch>(database);
 }

@@ -14,30 +14,30 @@
 namespace graspdb {
 namespace {
 
-constexpr std::array<std::pair<TemporalModel, const char*>, 3> kModels = {{
-    {TemporalModel::kNone, "none"},
-    {TemporalModel::kGaussian, "gaussian"},
-    {TemporalModel::kKde, "kde"},
-}};
-
-// The models look the same frame up one after another: only the first one searches. Not
-// thread-safe.
-class LastSearch : public Search {
+// The trackers look the same frame up one after another: only the first one searches, for as many
+// rows as any of them wants. Not thread-safe.
+class SharedSearch : public Search {
  public:
-  explicit LastSearch(const Search& search) : search_(search) {}
+  SharedSearch(const Search& search, const std::vector<TrackerOptions>& trackers)
+      : search_(search) {
+    for (const TrackerOptions& tracker : trackers) most_ = std::max(most_, tracker.neighbours);
+  }
   std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
-    if (k != k_ || query != query_) {
-      found_ = search_.nearest(query, k);
+    GRASPDB_CHECK(k <= most_);
+    if (!asked_ || query != query_) {
+      found_ = search_.nearest(query, most_);
       query_ = query;
-      k_ = k;
+      asked_ = true;
     }
-    return found_;
+    const auto count = std::min(found_.size(), static_cast<std::size_t>(k));
+    return {found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(count)};
   }
 
  private:
   const Search& search_;
+  int most_ = 0;
+  mutable bool asked_ = false;
   mutable Descriptor query_{};
-  mutable int k_ = -1;
   mutable std::vector<Neighbor> found_;
 };
 
@@ -51,14 +51,15 @@ void count_far_grasps(SequenceEvaluation& result) {
 
 std::vector<Runner> runners(const Stage& stage, const Search& search) {
   std::vector<Runner> all;
-  for (const TemporalModel model : stage.options.temporal) all.emplace_back(stage, search, model);
+  for (const TrackerOptions& tracker : stage.options.trackers)
+    all.emplace_back(stage, search, tracker);
   return all;
 }
 
 // A run of each temporal model, side by side.
 std::vector<EvalRun> run_all(const Stage& stage, const Search& search, double alpha) {
-  const LastSearch last(search);
-  std::vector<Runner> models = runners(stage, last);
+  const SharedSearch shared(search, stage.options.trackers);
+  std::vector<Runner> models = runners(stage, shared);
   for (std::size_t i = 0; i < stage.frames.hand.size(); ++i) {
     const Mask hand =
         isolate_hand(add_segmentation_noise(stage.frames.hand[i], alpha, stage.options.seed, i));
@@ -73,10 +74,11 @@ std::vector<Recovery> recover(const Stage& stage, const Search& search) {
   const std::size_t count = stage.frames.hand.size();
   if (count <= kBlackFrames) return {};
   const std::size_t black = (count - kBlackFrames) / 2, seen_again = black + kBlackFrames;
-  const LastSearch last(search);
-  std::vector<Runner> models = runners(stage, last);
+  const SharedSearch shared(search, stage.options.trackers);
+  std::vector<Runner> models = runners(stage, shared);
   std::vector<Recovery> recoveries;
-  for (const TemporalModel model : stage.options.temporal) recoveries.push_back({model, 0, false});
+  for (const TrackerOptions& tracker : stage.options.trackers)
+    recoveries.push_back({tracker.temporal, 0, false});
   const Mask nothing(stage.frames.camera.width, stage.frames.camera.height);
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_black = i >= black && i < seen_again;
@@ -94,7 +96,7 @@ std::vector<Recovery> recover(const Stage& stage, const Search& search) {
 void run_everything(const Stage& stage, const Search& search, const Progress& progress,
                     SequenceEvaluation& result) {
   const auto& alphas = stage.options.alphas;
-  const std::size_t models = stage.options.temporal.size(), tasks = alphas.size() + 1;
+  const std::size_t models = stage.options.trackers.size(), tasks = alphas.size() + 1;
   result.runs.resize(models * alphas.size());
   std::mutex mutex;
   std::size_t done = 0;
@@ -165,18 +167,10 @@ Answer answer_of(const Estimate& estimate, const Database& database) {
   return answer;
 }
 
-std::string temporal_name(TemporalModel model) {
-  const auto found =
-      std::find_if(kModels.begin(), kModels.end(), [&](const auto& m) { return m.first == model; });
-  GRASPDB_CHECK(found != kModels.end());
-  return found->second;
-}
-
-TemporalModel temporal_from_name(const std::string& name) {
-  for (const auto& [model, known] : kModels) {
-    if (name == known) return model;
-  }
-  throw Error({.key = "temporal", .expected = "none, gaussian or kde", .found = name});
+std::vector<TrackerOptions> all_trackers() {
+  std::vector<TrackerOptions> trackers;
+  for (const TemporalModel model : kTemporalModels) trackers.push_back(tuned_options(model));
+  return trackers;
 }
 
 }  // namespace graspdb

@@ -87,7 +87,7 @@ void add_difference(const Sequences& sequences, std::uint64_t seed, SetDifferenc
 
 std::vector<SetDifference> all_differences(const Sequences& sequences, std::uint64_t seed) {
   constexpr auto kNone = TemporalModel::kNone, kGaussian = TemporalModel::kGaussian,
-                 kKde = TemporalModel::kKde;
+                 kKde = TemporalModel::kKde, kSuccessors = TemporalModel::kSuccessors;
   std::vector<double> alphas;
   for (const EvalRun& run : sequences.front().runs) {
     if (std::find(alphas.begin(), alphas.end(), run.alpha) == alphas.end())
@@ -95,10 +95,11 @@ std::vector<SetDifference> all_differences(const Sequences& sequences, std::uint
   }
   std::vector<SetDifference> all;
   for (const double alpha : alphas) {
-    for (const auto& [a, b] : {std::pair(kKde, kGaussian), {kGaussian, kNone}, {kKde, kNone}})
+    for (const auto& [a, b] :
+         {std::pair(kKde, kGaussian), {kGaussian, kNone}, {kKde, kNone}, {kSuccessors, kKde}})
       add_difference(sequences, seed, {a, b, alpha, alpha, {}}, all);
   }
-  for (const TemporalModel model : {kNone, kGaussian, kKde})
+  for (const TemporalModel model : kTemporalModels)
     add_difference(sequences, seed, {model, model, kNoisyAlpha, 0, {}}, all);
   return all;
 }

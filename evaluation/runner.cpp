@@ -6,11 +6,6 @@
 namespace graspdb {
 namespace {
 
-TrackerOptions with_model(TrackerOptions options, TemporalModel model) {
-  options.temporal = model;
-  return options;
-}
-
 Answer flat_hand(const Database& database) {
   const JointAngles angles = JointAngles::Zero();
   Keypoints joints = keypoints_in_palm(database.info().hands.front().skeleton, angles);
@@ -39,10 +34,10 @@ std::vector<Keypoints> true_joints(const std::vector<Target>& truth) {
 
 }  // namespace
 
-Runner::Runner(const Stage& stage, const Search& search, TemporalModel model)
+Runner::Runner(const Stage& stage, const Search& search, const TrackerOptions& tracker)
     : stage_(stage),
-      model_(model),
-      tracker_(stage.database, search, with_model(stage.options.tracker, model)),
+      model_(tracker.temporal),
+      tracker_(stage.database, search, tracker),
       last_(flat_hand(stage.database)) {}
 
 const FrameResult& Runner::step(const Mask& hand) {

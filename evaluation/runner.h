@@ -20,7 +20,7 @@ struct Stage {
 // One tracker on its way through the frames.
 class Runner {
  public:
-  Runner(const Stage& stage, const Search& search, TemporalModel model);
+  Runner(const Stage& stage, const Search& search, const TrackerOptions& tracker);
 
   // Shows it the next frame.
   const FrameResult& step(const Mask& hand);

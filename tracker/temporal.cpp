@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The weights of the paper, as logarithms: what is far away would vanish as a product.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "graspdb/error.h"
@@ -9,11 +10,25 @@
 namespace graspdb {
 namespace {
 
+constexpr std::array<const char*, kTemporalModels.size()> kNames = {"none", "gaussian", "kde",
+                                                                    "successors"};
+
 double log_gaussian(double squared_distance, double sigma) {
   return -squared_distance / (2 * sigma * sigma);
 }
 
 }  // namespace
+
+std::string temporal_name(TemporalModel model) {
+  return kNames.at(static_cast<std::size_t>(model));
+}
+
+TemporalModel temporal_from_name(const std::string& name) {
+  for (const TemporalModel model : kTemporalModels) {
+    if (name == temporal_name(model)) return model;
+  }
+  throw Error({.key = "temporal", .expected = "none, gaussian, kde or successors", .found = name});
+}
 
 // log p(x_t | what was known at t - 1), up to a constant.
 double Tracker::log_prior(const PoseVector& pose) const {

@@ -11,6 +11,7 @@
 #include "graspdb/hog.h"
 #include "mirror.h"
 #include "placement.h"
+#include "successors.h"
 
 namespace graspdb {
 namespace {
@@ -43,9 +44,14 @@ Tracker::Tracker(const Database& database, const Search& search, const TrackerOp
       search_(search),
       options_(options),
       hog_(hog_from_name(database.info().hog, database.path().string())) {
-  GRASPDB_CHECK(options.neighbours >= 1 && options.sigma_hog > 0 && options.sigma_pose > 0 &&
-                options.bandwidth > 0 && options.max_distance > 0);
+  GRASPDB_CHECK(options.neighbours >= 1 && options.kept >= 1 && options.sigma_hog > 0 &&
+                options.sigma_pose > 0 && options.bandwidth > 0 && options.max_distance > 0);
+  if (options.temporal == TemporalModel::kSuccessors)
+    successors_ = std::make_unique<Successors>(database);
 }
+
+Tracker::~Tracker() = default;
+Tracker::Tracker(Tracker&&) noexcept = default;
 
 Estimate Tracker::step(const Observation& observation) {
   if (!options_.left_hand) return step_right(observation);
@@ -65,7 +71,7 @@ Estimate Tracker::step_right(const Observation& seen) {
   estimate.box = *box;
   const Descriptor query = describe(seen.gray, seen.hand, hog_);
   estimate.ms.describe = watch.lap_ms();
-  const std::vector<Neighbor> neighbours = search_.nearest(query, options_.neighbours);
+  const std::vector<Neighbor> neighbours = neighbours_of(query);
   estimate.ms.search = watch.lap_ms();
   if (neighbours.empty()) {
     forget();
@@ -85,9 +91,27 @@ Estimate Tracker::step_right(const Observation& seen) {
   }
   weigh(candidates);
   describe_best(candidates, seen, estimate);
+  if (candidates.size() > static_cast<std::size_t>(options_.kept))
+    candidates.resize(static_cast<std::size_t>(options_.kept));
   previous_ = std::move(candidates);
   estimate.ms.temporal = watch.lap_ms();
   return estimate;
+}
+
+// The nearest rows, and what the last hypotheses may have become; nearest first, ties by row.
+std::vector<Neighbor> Tracker::neighbours_of(const Descriptor& query) const {
+  std::vector<Neighbor> found = search_.nearest(query, options_.neighbours);
+  if (!successors_ || previous_.empty()) return found;
+  std::vector<std::uint32_t> rows;
+  for (const Candidate& before : previous_) successors_->append(before.row, rows);
+  for (const Neighbor& neighbour : found) rows.push_back(neighbour.row);
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  std::vector<Neighbor> all = measure(database_, query, rows);
+  std::stable_sort(all.begin(), all.end(), [](const Neighbor& a, const Neighbor& b) {
+    return a.squared_distance < b.squared_distance;
+  });
+  return all;
 }
 
 // Opening a database checks its header only; what is used of its content is checked here.

@@ -90,7 +90,7 @@ SequenceFrames RowsAsFrames::frames_;
 
 TEST_F(RowsAsFrames, AreFoundAndTheOracleIsPerfect) {
   const SequenceEvaluation result = evaluated(frames_);
-  ASSERT_EQ(result.runs.size(), 6U);
+  ASSERT_EQ(result.runs.size(), 8U);
   const EvalRun& none = result.runs[0];
   EXPECT_EQ(none.temporal, TemporalModel::kNone);
   EXPECT_EQ(none.alpha, 0);

@@ -86,6 +86,7 @@ class BarTracker : public ::testing::Test {
     rows.push_back(row(bar(angle_of(kFlipped)), turned, 2));
     rows.push_back(row(square(), angle_of(kFlipped), 1));
     rows.push_back(row(thin(), turned, 2));
+    rows.push_back(row(bar(radians(70), 20, 6), turned, 2));  // makes the last pose whole
     write_database(directory_ / "bars.graspdb", info, rows);
     database_.emplace(Database::open(directory_ / "bars.graspdb"));
     search_ = make_exact_search(*database_);
@@ -148,6 +149,45 @@ TEST_F(BarTracker, ThePastDecidesWhatThePictureLeavesOpen) {
   Tracker blind = tracker({.temporal = TemporalModel::kNone, .neighbours = 5, .sigma_hog = 0.3});
   show(blind, thin());
   EXPECT_EQ(show(blind, bar(angle_of(kFlipped))).row, 2u);
+}
+
+// Knows one row only.
+class OneRow : public Search {
+ public:
+  OneRow(const Database& database, std::uint32_t row) : database_(database), row_(row) {}
+  std::vector<Neighbor> nearest(const Descriptor& query, int /*k*/) const override {
+    return measure(database_, query, std::span(&row_, 1));
+  }
+
+ private:
+  const Database& database_;
+  std::uint32_t row_;
+};
+
+TEST_F(BarTracker, SuccessorsAreWeighedThoughTheSearchMissesThem) {
+  const OneRow search(*database_, 1);
+  for (const TemporalModel model : {TemporalModel::kKde, TemporalModel::kSuccessors}) {
+    const bool follows = model == TemporalModel::kSuccessors;
+    Tracker tracker(*database_, search, {.temporal = model, .sigma_hog = 0.3});
+    show(tracker, bar(angle_of(1)));
+    const Estimate estimate = show(tracker, bar(angle_of(2)));
+    EXPECT_EQ(estimate.row, follows ? 2u : 1u);
+    EXPECT_EQ(estimate.distance == 0, follows);
+  }
+}
+
+TEST_F(BarTracker, NoMoreHypothesesAreRememberedThanAreKept) {
+  std::size_t followed[2];
+  for (const int kept : {1, 2}) {
+    Tracker tracker = this->tracker({.temporal = TemporalModel::kSuccessors,
+                                     .neighbours = 2,
+                                     .kept = kept,
+                                     .sigma_stretch = 1,
+                                     .max_distance = 100});
+    show(tracker, bar(radians(70)));  // between rows 3 and 4, which are of two poses
+    followed[kept - 1] = show(tracker, bar(radians(70))).hypotheses.size();
+  }
+  EXPECT_LT(followed[0], followed[1]);
 }
 
 TEST_F(BarTracker, AFrameWithoutAHandIsInvalidAndForgetsThePast) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "graspdb/database.h"
@@ -30,6 +31,10 @@ class Search {
 // as near as the k-th count as found, whichever of them `search` gives.
 double recall(const Search& search, const Search& exact, const std::vector<Descriptor>& queries,
               int k);
+
+// The exact distances to these rows of the database, in their order. `rows` are rows of it.
+std::vector<Neighbor> measure(const Database& database, const Descriptor& query,
+                              std::span<const std::uint32_t> rows);
 
 // Compares with every row in integers: the same answer on every processor. The oracle. Keeps a copy
 // of the descriptors.

@@ -18,11 +18,12 @@
 
 namespace graspdb {
 
+// Each temporal model once, with the options that were chosen for it.
+std::vector<TrackerOptions> all_trackers();
+
 struct EvalOptions {
-  std::vector<TemporalModel> temporal = {TemporalModel::kNone, TemporalModel::kGaussian,
-                                         TemporalModel::kKde};
+  std::vector<TrackerOptions> trackers = all_trackers();
   std::vector<double> alphas = {0, 0.25, 0.5, 1, 2, 4};  // percent
-  TrackerOptions tracker;                                // its temporal model is replaced
   std::uint64_t seed = 0;
 };
 
@@ -97,8 +98,5 @@ Pose pose_of(const FrameTruth& truth);
 Answer answer_of(const Estimate& estimate, const Database& database);
 // `grasp_type` counts from kTypeClosure on.
 Target target_of(const FrameTruth& truth, const Intrinsics& camera, std::optional<int> grasp_type);
-
-std::string temporal_name(TemporalModel model);             // "none", "gaussian", "kde"
-TemporalModel temporal_from_name(const std::string& name);  // throws Error
 
 }  // namespace graspdb

@@ -51,7 +51,8 @@ struct SetRecovery {
 struct SetEvaluation {
   MetricIntervals oracle, random, constant;
   std::vector<SetRun> runs;
-  // At each alpha kde - gaussian, gaussian - none, kde - none; then for each model alpha 2 % - 0.
+  // At each alpha kde - gaussian, gaussian - none, kde - none, successors - kde; then for each
+  // model alpha 2 % - 0.
   std::vector<SetDifference> differences;
   std::vector<SetRecovery> recoveries;
   int grasping_frames = 0, beyond_5_deg = 0;

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,11 +26,20 @@ enum class TemporalModel {
   kNone,      // not at all
   kGaussian,  // around the previous answer: a single hypothesis
   kKde,       // around all previous hypotheses: a kernel density estimate
+  // As kKde; and what each previous hypothesis may have become is weighed too, whether the search
+  // finds it or not: the same grasp at a step and from a view next to its own.
+  kSuccessors,
 };
+
+inline constexpr std::array kTemporalModels = {TemporalModel::kNone, TemporalModel::kGaussian,
+                                        TemporalModel::kKde, TemporalModel::kSuccessors};
+std::string temporal_name(TemporalModel model);             // "none", "gaussian", ...
+TemporalModel temporal_from_name(const std::string& name);  // throws Error
 
 struct TrackerOptions {
   TemporalModel temporal = TemporalModel::kKde;
   int neighbours = 20;          // k, 1..1000
+  int kept = 20;                // hypotheses, the heaviest, that the next frame remembers, 1..1000
   double sigma_hog = 1;         // of the descriptor distance (a row's 255 counts as 1)
   double sigma_stretch = 0.15;  // of the logarithm of the box's aspect ratio over the row's
   double sigma_pose = 0.5;      // of the pose vector around the previous answer
@@ -36,6 +47,9 @@ struct TrackerOptions {
   double max_distance = 6;      // a nearest descriptor further away is no hand
   bool left_hand = false;       // the frame is mirrored on the way in, the answer on the way out
 };
+
+// As chosen for this temporal model on the training sequences (docs/tracking.md).
+TrackerOptions tuned_options(TemporalModel temporal);
 
 // What the tracker is shown: one segmented frame.
 struct Observation {
@@ -69,15 +83,19 @@ struct Estimate {
   Keypoints joints = Keypoints::Zero();  // camera frame, metres
   Eigen::Matrix<double, 2, kKeypointCount> joints_px =
       Eigen::Matrix<double, 2, kKeypointCount>::Zero();
-  std::vector<Hypothesis> hypotheses;  // heaviest first
+  std::vector<Hypothesis> hypotheses;  // all that were weighed, heaviest first
   StageTimes ms;
 };
+
+class Successors;
 
 // Throws Error for a database whose rows were altered. Not thread-safe; database and search must
 // outlive it.
 class Tracker {
  public:
   Tracker(const Database& database, const Search& search, const TrackerOptions& options);
+  ~Tracker();
+  Tracker(Tracker&&) noexcept;
 
   // Reads the next frame. A mask without a hand gives an invalid estimate and forgets the past.
   Estimate step(const Observation& observation);
@@ -93,6 +111,7 @@ class Tracker {
   };
 
   Estimate step_right(const Observation& observation);
+  std::vector<Neighbor> neighbours_of(const Descriptor& query) const;
   std::vector<Candidate> look_up(const std::vector<Neighbor>& neighbours, const Observation& seen,
                                  const Box& box) const;
   void check_row(std::uint32_t row) const;
@@ -105,7 +124,8 @@ class Tracker {
   const Search& search_;
   TrackerOptions options_;
   HogOptions hog_;
-  std::vector<Candidate> previous_;  // heaviest first
+  std::unique_ptr<const Successors> successors_;  // of kSuccessors
+  std::vector<Candidate> previous_;               // heaviest first
 };
 
 }  // namespace graspdb
