@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
+#include <cstdlib>
+
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 
@@ -57,6 +60,10 @@ class ProgressPrinter {
 Progress console_progress(const std::string& what, const std::string& unit) {
   return [printer = std::make_shared<ProgressPrinter>(what, unit)](
              std::size_t done, std::size_t total) { (*printer)(done, total); };
+}
+
+std::string check_not_nan(const std::string& number) {
+  return std::isnan(std::strtod(number.c_str(), nullptr)) ? number + ": not a number" : "";
 }
 
 std::filesystem::path default_hand() {

@@ -20,6 +20,9 @@ namespace graspdb::cli {
 // unknown. The bar ends when done and total are equal.
 Progress console_progress(const std::string& what, const std::string& unit);
 
+// A check of CLI11, whose ranges let NaN pass: an empty answer says that all is well.
+std::string check_not_nan(const std::string& number);
+
 std::filesystem::path default_hand();  // assets/hands/male.glb
 std::filesystem::path grasp_directory();
 

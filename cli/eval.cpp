@@ -22,6 +22,7 @@ struct Options {
   std::string database, sequences, out;
   std::vector<double> alphas = EvalOptions{}.alphas;
   std::uint64_t seed = 0;
+  std::optional<double> fps;
   TrackerSettings tracker;
   bool json = false;
 };
@@ -48,11 +49,12 @@ void require_hand(const SequenceSpec& spec) {
 }
 
 // All of them before the first is run, so that a broken one is not found after minutes.
-std::vector<SequenceSpec> load_all(const std::filesystem::path& given) {
+std::vector<SequenceSpec> load_all(const Options& options) {
   std::vector<SequenceSpec> specs;
   std::set<std::string> names;
-  for (const auto& file : sequence_files(given)) {
+  for (const auto& file : sequence_files(options.sequences)) {
     specs.push_back(load_sequence(file));
+    if (options.fps) specs.back().frames_per_second = *options.fps;
     require_hand(specs.back());
     if (names.insert(specs.back().name).second) continue;
     throw Error({file.string(), "name", "one that no other sequence has", specs.back().name});
@@ -83,7 +85,7 @@ EvalOptions eval_options(const Options& options) {
 
 void run(const Options& options) {
   const Database database = Database::open(options.database);
-  std::vector<SequenceSpec> specs = load_all(options.sequences);
+  std::vector<SequenceSpec> specs = load_all(options);
   if (!options.out.empty()) require_folder(options.out);
   const PoseGrid grid(database);
   const auto search = open_search(database, options.tracker.search);
@@ -107,6 +109,7 @@ void run(const Options& options) {
     json["trackers"][temporal_name(tracker.temporal)] = options_json(tracker);
   json["search"] = options.tracker.search;
   json["seed"] = options.seed;
+  json["fps"] = options.fps ? nlohmann::json(*options.fps) : nlohmann::json();
   const std::string text = json.dump(1) + "\n";
   if (options.json) fmt::print("{}", text);
   if (!options.out.empty()) write_all(options, report, text);
@@ -126,6 +129,9 @@ void add_eval(CLI::App& app) {
       ->allow_extra_args(false)
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--seed", options->seed, "Seed of the segmentation noise");
+  verb->add_option("--fps", options->fps, "Frames a second instead of the files'")
+      ->check(CLI::Range(kMinFramesPerSecond, kMaxFramesPerSecond))
+      ->check(check_not_nan);
   verb->add_option("--out", options->out, "A folder for eval.json, frames.csv and runs.csv");
   verb->add_flag("--json", options->json, "JSON instead of tables");
   add_tracker_options(*verb, options->tracker);

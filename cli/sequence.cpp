@@ -10,6 +10,19 @@
 namespace graspdb::cli {
 namespace {
 
+struct Options {
+  std::string file, out, hand;
+  std::optional<double> fps;
+  NoiseOptions noise;
+  bool close = false;
+};
+
+SequenceSpec load(const Options& options) {
+  SequenceSpec spec = load_sequence(options.file, options.hand);
+  if (options.fps) spec.frames_per_second = *options.fps;
+  return spec;
+}
+
 void keep_closed(const SequenceSpec& spec) {
   const Hand hand = sequence_hand(spec);
   const auto file = keep_closed_poses({spec.grasp}, hand, {close_grasp(spec.grasp, hand)});
@@ -19,11 +32,6 @@ void keep_closed(const SequenceSpec& spec) {
 }  // namespace
 
 void add_sequence(CLI::App& app) {
-  struct Options {
-    std::string file, out, hand;
-    NoiseOptions noise;
-    bool close = false;
-  };
   auto options = std::make_shared<Options>();
   CLI::App* verb =
       app.add_subcommand("sequence", "Render an evaluation sequence with ground truth");
@@ -34,6 +42,9 @@ void add_sequence(CLI::App& app) {
       verb->add_flag("--close", options->close,
                      "Close the hand on the object anew and keep the pose beside the grasp file");
   verb->add_option("--hand", options->hand, "A rigged hand instead of the sequence's own");
+  verb->add_option("--fps", options->fps, "Frames a second instead of the file's")
+      ->check(CLI::Range(kMinFramesPerSecond, kMaxFramesPerSecond))
+      ->check(check_not_nan);
   verb->add_option("--alpha", options->noise.alpha_percent,
                    "Segmentation noise: dropped hand pixels, percent")
       ->check(CLI::Range(0.0, 100.0));
@@ -41,9 +52,9 @@ void add_sequence(CLI::App& app) {
   verb->footer("Example: graspdb sequence sequences/test/bottle.seq.toml --alpha 0.5 --out bottle");
   verb->callback([options, out, close] {
     if (out->count() + close->count() == 0) throw CLI::RequiredError("--out or --close");
-    if (options->close) keep_closed(load_sequence(options->file, options->hand));
+    if (options->close) keep_closed(load(*options));
     if (options->out.empty()) return;
-    const SequenceRenderer renderer(load_sequence(options->file, options->hand));
+    const SequenceRenderer renderer(load(*options));
     write_sequence(renderer, options->out, options->noise, console_progress("rendered", "frames"));
     fmt::print("{}: {} frames\n", options->out, renderer.spec().frame_count());
   });

@@ -117,7 +117,8 @@ SequenceSpec load_sequence(const std::filesystem::path& file,
   spec.file = file;
   spec.name = table.string("name");
   spec.seed = static_cast<std::uint64_t>(table.integer("seed", 0, 1 << 30));
-  spec.frames_per_second = table.number_or("frames_per_second", 10, 1, 240);
+  spec.frames_per_second =
+      table.number_or("frames_per_second", 10, kMinFramesPerSecond, kMaxFramesPerSecond);
   spec.visible_forearm = table.number("visible_forearm_mm", 0, 300) / 1000;
   spec.object_visible = table.boolean_or("object_visible", true);
   spec.camera = read_camera(table.table("camera"));

@@ -152,6 +152,30 @@ TEST_F(Eval, TheTableNamesOracleRandomRowAndIntervals) {
     EXPECT_THAT(table.out, HasSubstr(text));
 }
 
+TEST_F(Eval, AnotherFrameRateShowsMoreFramesOfTheSameMotion) {
+  const std::string one = path("set/one.seq.toml");
+  const Outcome evaluated = run_program("eval " + path("tiny.graspdb") + " --sequences " + one +
+                                        " --alphas 0 --fps 30 --json --out " + path("fast"));
+  ASSERT_EQ(evaluated.code, 0) << evaluated.err;
+  EXPECT_EQ(json::parse(evaluated.out)["fps"], 30);
+  EXPECT_EQ(json::parse(outcome_.out)["fps"], nullptr);
+  const auto fast = read_csv(path("fast/frames.csv")), slow = read_csv(path("out/frames.csv"));
+  ASSERT_EQ(fast.size(), 3U * 40);  // 1.3 s, three models
+  EXPECT_EQ(fast[39].at("time_s"), slow[13].at("time_s"));
+  EXPECT_EQ(fast[39].at("closure"), slow[13].at("closure"));
+
+  const Outcome rendered = run_program("sequence " + one + " --fps 20 --out " + path("frames"));
+  EXPECT_THAT(rendered.out, HasSubstr("27 frames"));
+  EXPECT_EQ(json::parse(read_text(path("frames/sequence.json")))["frames_per_second"], 20);
+  for (const char* rate : {"0.5", "241", "nan"}) {
+    const Outcome refused =
+        run_program("sequence " + one + " --out " + path("no") + " --fps " + rate);
+    EXPECT_EQ(refused.code, 2) << rate;
+    EXPECT_THAT(refused.err, HasSubstr("--fps"));
+  }
+  EXPECT_FALSE(fs::exists(path("no")));
+}
+
 TEST_F(Eval, AHandThatIsNotThereIsNamedBeforeAnythingIsRun) {
   write_short_sequence(*directory_ / "absent", "one");
   std::string text = read_text(path("absent/one.seq.toml"));

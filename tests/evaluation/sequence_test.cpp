@@ -107,6 +107,32 @@ TEST_F(ShortSequence, HandAndObjectDoNotOverlapAndBothAreSeen) {
   EXPECT_GT(object, 100);
 }
 
+TEST_F(ShortSequence, AnotherFrameRateShowsTheSameMotionInOtherSteps) {
+  SequenceSpec spec = short_spec();
+  spec.frames_per_second = 30;
+  const SequenceRenderer faster(spec);
+  ASSERT_EQ(spec.frame_count(), 13);  // 0.4 s
+  for (int i = 0; i < renderer_->spec().frame_count(); ++i) {
+    const FrameTruth slow = renderer_->truth(i), fast = faster.truth(3 * i);
+    EXPECT_EQ(fast.time, slow.time);
+    EXPECT_EQ(fast.closure, slow.closure);
+    EXPECT_EQ(fast.angles, slow.angles);
+    EXPECT_EQ(fast.joints, slow.joints);
+  }
+  EXPECT_EQ(faster.render(3).hand, renderer_->render(1).hand);
+}
+
+TEST_F(ShortSequence, NoiseGoesByTheFramesNumberAtAnyRate) {
+  SequenceSpec still = short_spec();
+  still.keyframes[1] = still.keyframes[0];
+  still.keyframes[1].time = 0.4;
+  const SequenceRenderer slow(still);
+  still.frames_per_second = 30;
+  const SequenceRenderer fast(still);
+  EXPECT_EQ(fast.render(2).color, slow.render(2).color);
+  EXPECT_NE(fast.render(2).color, fast.render(3).color);
+}
+
 TEST_F(ShortSequence, WhatIsWrittenIsReadBack) {
   const testing::TemporaryDirectory directory;
   write_sequence(*renderer_, directory.path(), {.alpha_percent = 1, .seed = 3});

@@ -47,12 +47,15 @@ struct SequenceHand {
   HandShape shape;
 };
 
+// What a sequence may have: its file, or who asks for another rate than the file's.
+constexpr double kMinFramesPerSecond = 1, kMaxFramesPerSecond = 240;
+
 // A sequence as its text file states it (docs/sequences.md).
 struct SequenceSpec {
   std::string name;
   std::filesystem::path file;
   std::uint64_t seed = 0;
-  double frames_per_second = 10;
+  double frames_per_second = 10;  // may be set to another: the same motion in other steps
   Intrinsics camera;
   double visible_forearm = 0.1;  // metres
   Look look;
