@@ -4,6 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "bench_tracker.h"
 #include "console.h"
 #include "graspdb/metrics.h"
 #include "graspdb/search.h"
@@ -12,6 +13,14 @@
 
 namespace graspdb::cli {
 namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::string database, video;
+  int queries = 200, k = 20, frames = 500;
+  bool json = false;
+};
 
 Spread time_ms(const Search& search, const std::vector<Descriptor>& queries, int k) {
   std::vector<double> ms;
@@ -24,45 +33,56 @@ Spread time_ms(const Search& search, const std::vector<Descriptor>& queries, int
   return spread(std::move(ms));
 }
 
+json bench_searches(const Database& database, const Options& options) {
+  const auto queries = held_out_queries(database, options.queries);
+  const auto exact = open_search(database, "exact");
+  json lines = json::array();
+  for (const std::string method : {"exact", "scan", "lsh"}) {
+    const auto opened = method == "exact" ? nullptr : open_search(database, method);
+    const Search& search = opened ? *opened : *exact;
+    const double found = recall(search, *exact, queries, options.k);
+    const Spread ms = time_ms(search, queries, options.k);
+    lines.push_back({{"search", method},
+                     {"k", options.k},
+                     {"median_ms", ms.median},
+                     {"p90_ms", ms.p90},
+                     {"recall", found}});
+    if (options.json) continue;
+    fmt::print("{:6} k {}  median {:.3f} ms  p90 {:.3f} ms  recall {:.4f}\n", method, options.k,
+               ms.median, ms.p90, found);
+  }
+  return lines;
+}
+
+void run(const Options& options) {
+  const Database database = Database::open(options.database);
+  const TrackerBench tracker = bench_tracker(database, options.video, options.frames);
+  if (!options.json) print(tracker);
+  const json searches = bench_searches(database, options);
+  if (!options.json) return;
+  fmt::print(
+      "{}\n",
+      json{{"rows", database.rows()}, {"searches", searches}, {"tracker", to_json(tracker)}}.dump(
+          1));
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app) {
-  struct Options {
-    std::string database;
-    int queries = 200, k = 20;
-    bool json = false;
-  };
   auto options = std::make_shared<Options>();
   CLI::App* verb =
-      app.add_subcommand("bench", "Time the searches and measure their recall on held-out views");
+      app.add_subcommand("bench", "Time searches and tracker, and measure their recall and memory");
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("--queries", options->queries, "Views between the database's own")
       ->check(CLI::Range(1, 100000));
   verb->add_option("-k", options->k, "Neighbours")->check(CLI::Range(1, 1000));
+  verb->add_option("--video", options->video,
+                   "What the tracker is shown, as for `track` [a rendered sequence]");
+  verb->add_option("--frames", options->frames,
+                   "Frames that are timed; a shorter video is shown again")
+      ->check(CLI::Range(1, 100000));
   verb->add_flag("--json", options->json, "As JSON");
-  verb->callback([options] {
-    const Database database = Database::open(options->database);
-    const auto queries = held_out_queries(database, options->queries);
-    const auto exact = open_search(database, "exact");
-    nlohmann::json lines = nlohmann::json::array();
-    for (const std::string method : {"exact", "scan", "lsh"}) {
-      const auto opened = method == "exact" ? nullptr : open_search(database, method);
-      const Search& search = opened ? *opened : *exact;
-      const double found = recall(search, *exact, queries, options->k);
-      const Spread ms = time_ms(search, queries, options->k);
-      lines.push_back({{"search", method},
-                       {"k", options->k},
-                       {"median_ms", ms.median},
-                       {"p90_ms", ms.p90},
-                       {"recall", found}});
-      if (!options->json) {
-        fmt::print("{:6} k {}  median {:.3f} ms  p90 {:.3f} ms  recall {:.4f}\n", method,
-                   options->k, ms.median, ms.p90, found);
-      }
-    }
-    if (options->json)
-      fmt::print("{}\n", nlohmann::json{{"rows", database.rows()}, {"searches", lines}}.dump(1));
-  });
+  verb->callback([options] { run(*options); });
 }
 
 }  // namespace graspdb::cli

@@ -183,6 +183,15 @@ Mask read_mask(const fs::path& file, const ColorImage& color) {
                fmt::format("{} x {}", mask.width(), mask.height())});
 }
 
+Intrinsics guess_camera(const ColorImage& frame, double focal_px) {
+  Intrinsics camera{.width = frame.width(), .height = frame.height()};
+  const double guess = 0.87 * std::max(frame.width(), frame.height());
+  camera.fx = camera.fy = focal_px > 0 ? focal_px : guess;
+  camera.cx = (camera.width - 1) / 2.0;
+  camera.cy = (camera.height - 1) / 2.0;
+  return camera;
+}
+
 std::unique_ptr<FrameSource> open_source(const std::string& input, const fs::path& masks) {
   if (is_sequence(input)) return std::make_unique<Pictures>(read_sequence(input), masks);
   if (fs::is_directory(input)) return std::make_unique<Pictures>(input, masks);

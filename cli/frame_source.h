@@ -43,6 +43,10 @@ bool is_sequence(const std::filesystem::path& input);
 // The mask of a picture: what is brighter than 127. Throws Error when it has another size.
 Mask read_mask(const std::filesystem::path& file, const ColorImage& color);
 
+// A camera that takes such frames. A focal length of 0 is guessed: 60 degrees across the longer
+// side, as many webcams and phones have it.
+Intrinsics guess_camera(const ColorImage& frame, double focal_px = 0);
+
 // `masks` is a folder of masks named as the frames, or empty. Throws Error for what cannot be read.
 std::unique_ptr<FrameSource> open_source(const std::string& input,
                                          const std::filesystem::path& masks);

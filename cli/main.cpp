@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   for (const auto add :
        {cli::add_build, cli::add_merge, cli::add_info, cli::add_diff, cli::add_index,
         cli::add_query, cli::add_render, cli::add_export, cli::add_track, cli::add_sequence,
-        cli::add_eval, cli::add_bench, cli::add_grasp, cli::add_hand}) {
+        cli::add_eval, cli::add_bench, cli::add_tracker_process, cli::add_grasp, cli::add_hand}) {
     add(app);
   }
   try {

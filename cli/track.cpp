@@ -47,16 +47,6 @@ struct Options {
   bool show = false;
 };
 
-// Without a calibration: 60 degrees across the longer side, as many webcams and phones have it.
-Intrinsics guess_camera(const ColorImage& frame, double focal_px) {
-  Intrinsics camera{.width = frame.width(), .height = frame.height()};
-  const double guess = 0.87 * std::max(frame.width(), frame.height());
-  camera.fx = camera.fy = focal_px > 0 ? focal_px : guess;
-  camera.cx = (camera.width - 1) / 2.0;
-  camera.cy = (camera.height - 1) / 2.0;
-  return camera;
-}
-
 // Everything that one run of the verb keeps between frames.
 class Run {
  public:

@@ -20,5 +20,6 @@ void add_query(CLI::App& app);
 void add_render(CLI::App& app);
 void add_sequence(CLI::App& app);
 void add_track(CLI::App& app);
+void add_tracker_process(CLI::App& app);
 
 }  // namespace graspdb::cli

@@ -194,16 +194,20 @@ double jitter_mm(const std::vector<Keypoints>& estimates, const std::vector<Keyp
   return 1000 * std::sqrt(sum / (joints * static_cast<double>(truth.size() - 2)));
 }
 
+double percentile(const std::vector<double>& ascending, std::size_t percent) {
+  GRASPDB_CHECK(percent >= 1 && percent <= 100);
+  if (ascending.empty()) return kNan;
+  const std::size_t rank = (percent * ascending.size() + 99) / 100;  // from 1
+  return ascending[rank - 1];
+}
+
 Spread spread(std::vector<double> values) {
   if (values.empty()) return {kNan, kNan, kNan};
   std::sort(values.begin(), values.end());
   double sum = 0;
   for (double value : values) sum += value;
-  const auto quantile = [&](double q) {
-    return values[static_cast<std::size_t>(
-        std::lround(q * static_cast<double>(values.size() - 1)))];
-  };
-  return {sum / static_cast<double>(values.size()), quantile(0.5), quantile(0.9)};
+  const double mean = sum / static_cast<double>(values.size());
+  return {mean, percentile(values, 50), percentile(values, 90)};
 }
 
 Summary summarize(const std::vector<FrameErrors>& frames) {

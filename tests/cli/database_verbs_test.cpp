@@ -51,7 +51,8 @@ TEST(DatabaseVerbs, ADatabaseIsBuiltDescribedVerifiedIndexedAndSearched) {
 
   EXPECT_EQ(run_program("verify " + file).code, 0);
   EXPECT_EQ(run_program("index " + file + " --tables 2").out, file + ".lsh\n");
-  const json bench = json::parse(run_program("bench --json --queries 3 -k 2 " + file).out);
+  const json bench =
+      json::parse(run_program("bench --json --queries 3 -k 2 --frames 2 " + file).out);
   ASSERT_EQ(bench.at("searches").size(), 3u);
   EXPECT_EQ(bench.at("searches").at(0).at("search"), "exact");
   EXPECT_EQ(bench.at("searches").at(0).at("recall"), 1);

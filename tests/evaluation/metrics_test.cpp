@@ -191,6 +191,22 @@ TEST(Jitter, IsTheSecondDifferenceOfTheErrorOnly) {
   EXPECT_TRUE(std::isnan(jitter_mm({off, off}, {off, off})));
 }
 
+TEST(Percentile, IsTheValueOfTheNearestRank) {
+  const std::vector<double> five = {15, 20, 35, 40, 50};  // ranks 0.25, 1.5, 2, 2.5 and 5 go up
+  EXPECT_EQ(percentile(five, 5), 15);
+  EXPECT_EQ(percentile(five, 30), 20);
+  EXPECT_EQ(percentile(five, 40), 20);
+  EXPECT_EQ(percentile(five, 50), 35);
+  EXPECT_EQ(percentile(five, 100), 50);
+  std::vector<double> values;
+  for (int i = 1; i <= 500; ++i) values.push_back(i);
+  EXPECT_EQ(percentile(values, 50), 250);
+  EXPECT_EQ(percentile(values, 95), 475);
+  EXPECT_EQ(percentile(values, 99), 495);
+  EXPECT_EQ(percentile({7}, 1), 7);
+  EXPECT_TRUE(std::isnan(percentile({}, 50)));
+}
+
 TEST(Spread, KnowsMeanMedianAndNinetiethPercentile) {
   std::vector<double> values;
   for (int i = 0; i <= 100; ++i) values.push_back(100 - i);

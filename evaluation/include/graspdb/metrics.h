@@ -96,6 +96,10 @@ bool is_among_heaviest(const GraspWeights& weights, int type, std::size_t count)
 // truth, wrists put together, mm a frame squared; NaN for fewer than three frames.
 double jitter_mm(const std::vector<Keypoints>& estimates, const std::vector<Keypoints>& truth);
 
+// The smallest of these values, smallest first, that `percent` of them or more do not exceed
+// (nearest rank), 1 to 100; NaN for no values.
+double percentile(const std::vector<double>& ascending, std::size_t percent);
+
 struct Spread {
   double mean = 0, median = 0, p90 = 0;
 };

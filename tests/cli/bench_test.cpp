@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// bench of the tracker: what it tells of times and memory, and how it refuses.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "graspdb/image_io.h"
+#include "program.h"
+#include "support/temporary_directory.h"
+
+namespace graspdb {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::Outcome;
+using testing::run_program;
+using ::testing::SizeIs;
+
+class Bench : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    directory_ = std::make_unique<testing::TemporaryDirectory>();
+    ASSERT_EQ(testing::build_tiny(*directory_ / "tiny.graspdb").code, 0);
+    write_video("large", 640, 480);
+    write_video("small", 320, 240);
+  }
+  static void TearDownTestSuite() { directory_.reset(); }
+
+  // Two pictures of a wall.
+  static void write_video(const std::string& name, int width, int height) {
+    fs::create_directories(*directory_ / name);
+    for (const char* file : {"0.png", "1.png"})
+      write_png(*directory_ / name / file, ColorImage(width, height, {90, 90, 90}));
+  }
+  static std::string path(const std::string& name) { return (*directory_ / name).string(); }
+  static Outcome run(const std::string& arguments) {
+    return run_program("bench --queries 2 -k 2 " + path("tiny.graspdb") + " " + arguments);
+  }
+  static json tracker(const std::string& arguments) {
+    return json::parse(run("--json " + arguments).out).at("tracker");
+  }
+
+  static std::unique_ptr<testing::TemporaryDirectory> directory_;
+};
+std::unique_ptr<testing::TemporaryDirectory> Bench::directory_;
+
+TEST_F(Bench, EveryStageHasItsPercentilesAndTheyAddUp) {
+  const json told = tracker("--frames 5 --video " + path("large"));  // more than there are
+  EXPECT_EQ(told.at("frames"), 5);
+  EXPECT_EQ(told.at("width_px"), 640);
+  ASSERT_THAT(told.at("trackers"), SizeIs(2));  // no index
+  for (const json& one : told.at("trackers")) {
+    EXPECT_EQ(one.at("valid"), 0);
+    for (const char* stage : {"segment", "describe", "search", "temporal", "total", "processor"}) {
+      const json& ms = one.at("ms").at(stage);
+      EXPECT_LE(ms.at("p50"), ms.at("p95")) << stage;
+      EXPECT_LE(ms.at("p95"), ms.at("p99")) << stage;
+    }
+    EXPECT_GT(one.at("ms").at("segment").at("p50"), 0);
+    EXPECT_GE(one.at("ms").at("total").at("p50"), one.at("ms").at("segment").at("p50"));
+    EXPECT_EQ(one.at("ms").at("search").at("p99"), 0);  // a wall is not looked up
+    EXPECT_GT(one.at("open_database_ms"), 0);
+  }
+}
+
+TEST_F(Bench, MemoryIsThatOfTheTrackerAndNotOfTheRenderer) {
+  const json shown = tracker("--frames 2 --video " + path("large")).at("trackers").at(0);
+  const json rendered = tracker("--frames 2").at("trackers").at(0);
+  EXPECT_GT(shown.at("program_mb"), 1);
+  EXPECT_GE(shown.at("peak_mb"), shown.at("program_mb"));
+  const double now = shown.at("own_mb").get<double>() + shown.at("files_mb").get<double>();
+  EXPECT_GE(shown.at("peak_mb").get<double>(), 0.99 * now);
+  EXPECT_LT(shown.at("peak_mb").get<double>(), 1.5 * now);
+  EXPECT_NEAR(rendered.at("peak_mb"), shown.at("peak_mb"), 10);
+}
+
+TEST_F(Bench, LimitsAreJudgedAndThoseOfAFrameAreForItsSize) {
+  const json large = tracker("--frames 2 --video " + path("large")).at("trackers").at(0);
+  const json small = tracker("--frames 2 --video " + path("small")).at("trackers").at(0);
+  ASSERT_THAT(large.at("limits"), SizeIs(4));
+  ASSERT_THAT(small.at("limits"), SizeIs(2));
+  for (const json& limit : large.at("limits")) {
+    for (const char* most : {"must", "aim"})
+      EXPECT_EQ(limit.at(std::string("meets_") + most), limit.at("measured") <= limit.at(most));
+  }
+  const Outcome table = run("--frames 2 --video " + path("large"));
+  for (const char* text : {"p99", "temporal", "resident", "exact: peak memory, MB", "must", "aim",
+                           "scan: a frame, p99, ms", "recall"})
+    EXPECT_THAT(table.out, HasSubstr(text));
+}
+
+TEST_F(Bench, LshIsTimedWhereThereIsAnIndex) {
+  fs::copy_file(path("tiny.graspdb"), path("indexed.graspdb"));
+  ASSERT_EQ(run_program("index --tables 2 " + path("indexed.graspdb")).code, 0);
+  const Outcome outcome = run_program("bench --json --queries 2 -k 2 --frames 2 --video " +
+                                      path("small") + " " + path("indexed.graspdb"));
+  const json trackers = json::parse(outcome.out).at("tracker").at("trackers");
+  ASSERT_THAT(trackers, SizeIs(3));
+  EXPECT_EQ(trackers.at(2).at("search"), "lsh");
+}
+
+TEST_F(Bench, WhatFailsInTheTrackersProcessIsToldOnce) {
+  fs::copy_file(path("tiny.graspdb"), path("broken.graspdb"));
+  ASSERT_EQ(run_program("index --tables 2 " + path("broken.graspdb")).code, 0);
+  fs::resize_file(path("broken.graspdb.lsh"), 100);
+  const Outcome outcome = run_program("bench --queries 2 -k 2 --frames 2 --video " + path("small") +
+                                      " " + path("broken.graspdb"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(testing::lines_of(outcome.err), 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("broken.graspdb.lsh"));
+}
+
+TEST_F(Bench, AVideoThatCannotBeReadIsNamed) {
+  const Outcome outcome = run("--video " + path("none.mp4"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(testing::lines_of(outcome.err), 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("none.mp4"));
+}
+
+TEST_F(Bench, TheVerbOfItsProcessIsNoneForPeople) {
+  EXPECT_THAT(run_program("--help").out, Not(HasSubstr("tracker-process")));
+}
+
+}  // namespace
+}  // namespace graspdb
