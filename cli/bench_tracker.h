@@ -23,6 +23,8 @@ inline constexpr std::array<Stage, 6> kStages = {{{"segment", &StepTimes::segmen
                                                   {"temporal", &StepTimes::temporal},
                                                   {"total", &StepTimes::total},
                                                   {"processor", &StepTimes::processor}}};
+inline constexpr std::size_t kTotal = 4;
+static_assert(kStages[kTotal].ms == &StepTimes::total);
 
 struct Percentiles {  // of all timed frames
   double p50 = 0, p95 = 0, p99 = 0;
