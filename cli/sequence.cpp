@@ -11,7 +11,7 @@ namespace graspdb::cli {
 namespace {
 
 struct Options {
-  std::string file, out, hand;
+  std::string file, out, meshes, hand;
   std::optional<double> fps;
   NoiseOptions noise;
   bool close = false;
@@ -38,6 +38,9 @@ void add_sequence(CLI::App& app) {
   verb->add_option("SEQ", options->file, "The sequence's .toml file")->required();
   CLI::Option* out = verb->add_option("--out", options->out,
                                       "The folder for frames, masks, noisy masks and truth");
+  CLI::Option* meshes =
+      verb->add_option("--meshes", options->meshes,
+                       "A folder for hand, object and camera of every frame, for other renderers");
   CLI::Option* close =
       verb->add_flag("--close", options->close,
                      "Close the hand on the object anew and keep the pose beside the grasp file");
@@ -50,11 +53,14 @@ void add_sequence(CLI::App& app) {
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--seed", options->noise.seed, "Seed of the segmentation noise");
   verb->footer("Example: graspdb sequence sequences/test/bottle.seq.toml --alpha 0.5 --out bottle");
-  verb->callback([options, out, close] {
-    if (out->count() + close->count() == 0) throw CLI::RequiredError("--out or --close");
+  verb->callback([options, out, meshes, close] {
+    if (out->count() + meshes->count() + close->count() == 0)
+      throw CLI::RequiredError("--out, --meshes or --close");
     if (options->close) keep_closed(load(*options));
-    if (options->out.empty()) return;
+    if (options->out.empty() && options->meshes.empty()) return;
     const SequenceRenderer renderer(load(*options));
+    if (!options->meshes.empty()) write_meshes(renderer, options->meshes);
+    if (options->out.empty()) return;
     write_sequence(renderer, options->out, options->noise, console_progress("rendered", "frames"));
     fmt::print("{}: {} frames\n", options->out, renderer.spec().frame_count());
   });

@@ -156,15 +156,30 @@ GraspPose SequenceRenderer::pose(const Keyframe& key) const {
   return pose;
 }
 
+Keyframe SequenceRenderer::key(int frame) const {
+  return interpolate(spec_.keyframes,
+                     spec_.keyframes.front().time + frame / spec_.frames_per_second);
+}
+
+FrameGeometry SequenceRenderer::geometry(int frame) const {
+  const Keyframe now = key(frame);
+  FrameGeometry geometry{.pose = pose(now), .towards_light = now.towards_light};
+  geometry.camera_from_hand.rotation = camera_from_view(now.view);
+  geometry.camera_from_hand.translation =
+      now.palm -
+      geometry.camera_from_hand.rotation * palm_centre(hand_.skeleton, geometry.pose.angles);
+  return geometry;
+}
+
 FrameTruth SequenceRenderer::truth(int frame) const {
-  const double time = spec_.keyframes.front().time + frame / spec_.frames_per_second;
-  const Keyframe key = interpolate(spec_.keyframes, time);
+  const Keyframe now = key(frame);
+  const FrameGeometry geometry = this->geometry(frame);
   FrameTruth truth;
-  truth.time = time;
-  truth.closure = key.closure;
-  truth.angles = pose(key).angles;
-  truth.camera_from_hand = camera_from_view(key.view);
-  truth.wrist = key.palm - truth.camera_from_hand * palm_centre(hand_.skeleton, truth.angles);
+  truth.time = now.time;
+  truth.closure = now.closure;
+  truth.angles = geometry.pose.angles;
+  truth.camera_from_hand = geometry.camera_from_hand.rotation;
+  truth.wrist = geometry.camera_from_hand.translation;
   truth.joints =
       (truth.camera_from_hand * keypoints_in_palm(hand_.skeleton, truth.angles)).colwise() +
       truth.wrist;
@@ -174,13 +189,13 @@ FrameTruth SequenceRenderer::truth(int frame) const {
 SequenceFrame SequenceRenderer::render(int frame) const {
   SequenceFrame result;
   result.truth = truth(frame);
-  const Keyframe key = interpolate(spec_.keyframes, result.truth.time);
+  const FrameGeometry geometry = this->geometry(frame);
   const Solid* object = spec_.object_visible ? spec_.grasp.object.get() : nullptr;
-  const PosedScene posed = pose_scene(hand_, pose(key), object);
-  const Camera camera{spec_.camera, {result.truth.camera_from_hand, result.truth.wrist}};
+  const PosedScene posed = pose_scene(hand_, geometry.pose, object);
+  const Camera camera{spec_.camera, geometry.camera_from_hand};
   const Light light{.ambient = spec_.look.ambient,
                     .diffuse = kLightSum - spec_.look.ambient,
-                    .towards_light_in_camera = key.towards_light};
+                    .towards_light_in_camera = geometry.towards_light};
   const View view = graspdb::render(posed.scene, camera, light, {.amodal = true});
   result.color = photographed(paint(view, spec_), spec_, frame);
   result.occlusion = hidden_share(view);

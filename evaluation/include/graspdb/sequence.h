@@ -78,6 +78,13 @@ Eigen::Matrix3d camera_from_view(const Eigen::Vector3d& yaw_pitch_roll);
 SequenceSpec load_sequence(const std::filesystem::path& file,
                            const std::filesystem::path& hand_file = {});
 
+// Where everything is in one frame.
+struct FrameGeometry {
+  GraspPose pose;
+  RigidTransform camera_from_hand;
+  Eigen::Vector3d towards_light;  // camera frame
+};
+
 struct FrameTruth {
   double time = 0;
   Eigen::Matrix3d camera_from_hand;
@@ -105,9 +112,11 @@ class SequenceRenderer {
   const SequenceSpec& spec() const { return spec_; }
   const Hand& hand() const { return hand_; }  // with the forearm that is visible
   FrameTruth truth(int frame) const;
+  FrameGeometry geometry(int frame) const;  // of truth(), render() and write_meshes()
   SequenceFrame render(int frame) const;
 
  private:
+  Keyframe key(int frame) const;
   GraspPose pose(const Keyframe& key) const;
 
   SequenceSpec spec_;
@@ -127,6 +136,10 @@ struct NoiseOptions {
 // and sequence.json into `directory`; what an earlier sequence left there is removed first.
 void write_sequence(const SequenceRenderer& renderer, const std::filesystem::path& directory,
                     const NoiseOptions& noise, const Progress& progress = {});
+
+// Writes what another renderer needs to show the very same hand, object and camera: meshes.json and
+// arrays of little-endian numbers (docs/sequences.md). An earlier export there is removed first.
+void write_meshes(const SequenceRenderer& renderer, const std::filesystem::path& directory);
 
 // What write_sequence wrote, but for the pictures.
 struct WrittenSequence {
