@@ -10,6 +10,7 @@
 #include "graspdb/error.h"
 #include "graspdb/evaluate.h"
 #include "graspdb/file.h"
+#include "graspdb/photoreal.h"
 #include "nearest_object.h"
 #include "report.h"
 #include "tracker_options.h"
@@ -19,7 +20,7 @@ namespace graspdb::cli {
 namespace {
 
 struct Options {
-  std::string database, sequences, out;
+  std::string database, sequences, photoreal, out;
   std::vector<double> alphas = EvalOptions{}.alphas;
   std::uint64_t seed = 0;
   std::optional<double> fps;
@@ -62,6 +63,16 @@ std::vector<SequenceSpec> load_all(const Options& options) {
   return specs;
 }
 
+// Those that have photoreal frames.
+std::vector<SequenceSpec> with_frames(std::vector<SequenceSpec> specs,
+                                      const std::filesystem::path& folder) {
+  std::erase_if(specs, [&](const auto& spec) { return !has_photoreal_frames(spec, folder); });
+  if (!specs.empty()) return specs;
+  throw Error({.file = folder.string(),
+               .expected = "a folder of frames with the name of a sequence",
+               .found = "none"});
+}
+
 // For the same reason.
 void require_folder(const std::filesystem::path& out) {
   std::error_code error;
@@ -86,6 +97,8 @@ EvalOptions eval_options(const Options& options) {
 void run(const Options& options) {
   const Database database = Database::open(options.database);
   std::vector<SequenceSpec> specs = load_all(options);
+  const bool photoreal = !options.photoreal.empty();
+  if (photoreal) specs = with_frames(std::move(specs), options.photoreal);
   if (!options.out.empty()) require_folder(options.out);
   const PoseGrid grid(database);
   const auto search = open_search(database, options.tracker.search);
@@ -94,7 +107,9 @@ void run(const Options& options) {
   EvalReport report;
   for (SequenceSpec& spec : specs) {
     const std::string object = objects.beside(spec);
-    const SequenceFrames frames = render_frames(SequenceRenderer(std::move(spec)));
+    const SequenceRenderer renderer(std::move(spec));
+    const SequenceFrames frames =
+        photoreal ? photoreal_frames(renderer, options.photoreal) : render_frames(renderer);
     report.sequences.push_back(evaluate(database, grid, *search, frames, settings,
                                         console_progress(frames.name + ":", "passes")));
     if (options.json) continue;
@@ -102,7 +117,7 @@ void run(const Options& options) {
     fmt::print("object: {}\n", object);
   }
   report.set = summarize_set(report.sequences, options.seed);
-  if (!options.json) print(report.set, report.sequences.size());
+  if (!options.json) print(report.set, report.sequences.front().kind, report.sequences.size());
   nlohmann::json json = eval_json(report);
   json["database"] = {{"content_hash", database.content_hash()}, {"rows", database.rows()}};
   for (const TrackerOptions& tracker : settings.trackers)
@@ -124,6 +139,9 @@ void add_eval(CLI::App& app) {
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("--sequences", options->sequences, "A folder of *.seq.toml, or one of them")
       ->required();
+  verb->add_option("--photoreal", options->photoreal,
+                   "A folder of photoreal frames, NAME/000000.jpg ...: only sequences that have "
+                   "them are run, on them, with the hand found by its colour");
   verb->add_option("--alphas", options->alphas, "Segmentation noise, percent, by commas")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -55,6 +55,7 @@ double or_nan(const std::optional<int>& value) {
 
 void begin_line(Csv& csv, const SequenceEvaluation& sequence, const EvalRun& run) {
   csv.cell(quoted(sequence.name));
+  csv.cell(kind_name(sequence.kind));
   csv.cell(temporal_name(run.temporal));
   csv.cell(run.alpha);
 }
@@ -102,6 +103,7 @@ void run_line(Csv& csv, const SequenceEvaluation& sequence, const EvalRun& run) 
   csv.cell(run.valid);
   csv.cell(run.smallest_box_px);
   csv.cell(run.median_distance);
+  csv.cell(sequence.segmentation_iou);
   csv.cell(sequence.grasping_frames);
   csv.cell(sequence.beyond_5_deg);
   add_recovery(csv, sequence, run.temporal);
@@ -121,8 +123,8 @@ void run_line(Csv& csv, const SequenceEvaluation& sequence, const EvalRun& run) 
 std::string frames_csv(const EvalReport& report) {
   Csv csv;
   std::vector<std::string> names = {
-      "sequence", "temporal",  "alpha",         "frame", "time_s", "valid",     "confidence",
-      "closure",  "occlusion", "box_height_px", "row",   "grasp",  "grasp_type"};
+      "sequence",   "kind",    "temporal",  "alpha",         "frame", "time_s", "valid",
+      "confidence", "closure", "occlusion", "box_height_px", "row",   "grasp",  "grasp_type"};
   add_names(names, "", kMetricCount);
   add_names(names, "oracle_", kMetricCount);
   csv.line(names);
@@ -137,6 +139,7 @@ std::string frames_csv(const EvalReport& report) {
 std::string runs_csv(const EvalReport& report) {
   Csv csv;
   std::vector<std::string> names = {"sequence",
+                                    "kind",
                                     "temporal",
                                     "alpha",
                                     "grasp_type",
@@ -144,6 +147,7 @@ std::string runs_csv(const EvalReport& report) {
                                     "valid",
                                     "smallest_box_px",
                                     "median_distance",
+                                    "segmentation_iou",
                                     "grasping_frames",
                                     "beyond_5_deg",
                                     "recovery_frames",

@@ -63,6 +63,7 @@ json to_json(const SequenceEvaluation& sequence, const EvalRun& run) {
                {"valid", run.valid},
                {"smallest_box_px", run.smallest_box_px},
                {"median_distance", run.median_distance},
+               {"segmentation_iou", sequence.segmentation_iou},
                {"grasping_frames", sequence.grasping_frames},
                {"beyond_5_deg", sequence.beyond_5_deg},
                {"oracle", to_json(sequence.baselines.oracle_mean)},
@@ -144,7 +145,10 @@ json eval_json(const EvalReport& report) {
   for (const SequenceEvaluation& sequence : report.sequences) {
     for (const EvalRun& run : sequence.runs) rows.push_back(to_json(sequence, run));
   }
-  return {{"rows", std::move(rows)}, {"set", to_json(report.set)}, {"metrics", metric_table()}};
+  return {{"kind", kind_name(report.sequences.front().kind)},
+          {"rows", std::move(rows)},
+          {"set", to_json(report.set)},
+          {"metrics", metric_table()}};
 }
 
 json options_json(const TrackerOptions& options) {

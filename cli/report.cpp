@@ -174,8 +174,13 @@ void print_error_table(const std::vector<std::pair<std::string, Summary>>& answe
 
 void print(const SequenceEvaluation& sequence) {
   const EvalRun& first = sequence.runs.front();
-  fmt::print("\n{}: smallest hand box {:.0f} px, {:.0f} % of frames valid at alpha {}\n",
-             sequence.name, first.smallest_box_px, 100 * first.valid, first.alpha);
+  fmt::print("\n{}, {} frames: smallest hand box {:.0f} px, {:.0f} % of frames valid at alpha {}\n",
+             sequence.name, kind_name(sequence.kind), first.smallest_box_px, 100 * first.valid,
+             first.alpha);
+  if (sequence.kind == FrameKind::kPhotoreal) {
+    fmt::print("found hand against true hand, mean intersection over union: {}\n",
+               number(sequence.segmentation_iou, 3));
+  }
   std::vector<std::pair<std::string, Summary>> lines;
   for (const EvalRun& run : sequence.runs)
     lines.emplace_back(run_name(run.temporal, run.alpha), run.errors);
@@ -183,8 +188,8 @@ void print(const SequenceEvaluation& sequence) {
   print_far_grasps(sequence.beyond_5_deg, sequence.grasping_frames);
 }
 
-void print(const SetEvaluation& set, std::size_t sequences) {
-  fmt::print("\nMeans over {} sequences with 95 % intervals\n", sequences);
+void print(const SetEvaluation& set, FrameKind kind, std::size_t sequences) {
+  fmt::print("\nMeans over {} {} sequences with 95 % intervals\n", sequences, kind_name(kind));
   print_titles("");
   for (const SetRun& run : set.runs) print_line(run_name(run.temporal, run.alpha), run.means);
   print_line("oracle", set.oracle);

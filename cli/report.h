@@ -25,6 +25,6 @@ void print_error_table(const std::vector<std::pair<std::string, Summary>>& answe
                        const Baselines& baselines);
 
 void print(const SequenceEvaluation& sequence);
-void print(const SetEvaluation& set, std::size_t sequences);
+void print(const SetEvaluation& set, FrameKind kind, std::size_t sequences);
 
 }  // namespace graspdb::cli

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <mutex>
 
 #include "graspdb/error.h"
@@ -47,6 +48,16 @@ void count_far_grasps(SequenceEvaluation& result) {
     ++result.grasping_frames;
     if (result.baselines.oracle[i].errors[kJointDeg] >= 5) ++result.beyond_5_deg;
   }
+}
+
+double mean_of_numbers(const std::vector<double>& values) {
+  double sum = 0, count = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += value;
+    ++count;
+  }
+  return count > 0 ? sum / count : std::nan("");
 }
 
 std::vector<Runner> runners(const Stage& stage, const Search& search) {
@@ -137,9 +148,11 @@ SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, cons
                             const SequenceFrames& frames, const EvalOptions& options,
                             const Progress& progress) {
   SequenceEvaluation result{.name = frames.name,
+                            .kind = frames.kind,
                             .grasp_type = frames.grasp_type,
                             .truth = frames.truth,
-                            .occlusion = frames.occlusion};
+                            .occlusion = frames.occlusion,
+                            .segmentation_iou = mean_of_numbers(frames.segmentation_iou)};
   std::vector<Target> truth;
   for (const FrameTruth& frame : frames.truth)
     truth.push_back(target_of(frame, frames.camera, frames.grasp_type));
@@ -171,6 +184,10 @@ std::vector<TrackerOptions> all_trackers() {
   std::vector<TrackerOptions> trackers;
   for (const TemporalModel model : kTemporalModels) trackers.push_back(tuned_options(model));
   return trackers;
+}
+
+std::string kind_name(FrameKind kind) {
+  return kind == FrameKind::kRendered ? "rendered" : "photoreal";
 }
 
 }  // namespace graspdb

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // eval: the files that plots and reports are made from.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
 #include "graspdb/file.h"
+#include "graspdb/sequence.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 
@@ -17,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::Outcome;
 using testing::run_program;
 
@@ -147,8 +151,8 @@ TEST_F(Eval, TheTableNamesOracleRandomRowAndIntervals) {
                                     path("set/one.seq.toml") + " --alphas 0");
   EXPECT_EQ(table.code, 0);
   for (const char* text :
-       {"one:", "object: ", "nearest in the database: ", "oracle", "random row", "best constant",
-        "kde - none at 0 %", "gap to the oracle", "after 10 black frames", "95 %"})
+       {"one, rendered frames:", "object: ", "nearest in the database: ", "oracle", "random row",
+        "best constant", "kde - none at 0 %", "gap to the oracle", "after 10 black frames", "95 %"})
     EXPECT_THAT(table.out, HasSubstr(text));
 }
 
@@ -160,7 +164,7 @@ TEST_F(Eval, AnotherFrameRateShowsMoreFramesOfTheSameMotion) {
   EXPECT_EQ(json::parse(evaluated.out)["fps"], 30);
   EXPECT_EQ(json::parse(outcome_.out)["fps"], nullptr);
   const auto fast = read_csv(path("fast/frames.csv")), slow = read_csv(path("out/frames.csv"));
-  ASSERT_EQ(fast.size(), 3U * 40);  // 1.3 s, three models
+  ASSERT_EQ(fast.size(), 4U * 40);  // 1.3 s, four models
   EXPECT_EQ(fast[39].at("time_s"), slow[13].at("time_s"));
   EXPECT_EQ(fast[39].at("closure"), slow[13].at("closure"));
 
@@ -174,6 +178,53 @@ TEST_F(Eval, AnotherFrameRateShowsMoreFramesOfTheSameMotion) {
     EXPECT_THAT(refused.err, HasSubstr("--fps"));
   }
   EXPECT_FALSE(fs::exists(path("no")));
+}
+
+// JPEGs of the sequence's own frames.
+void write_photographs(const fs::path& sequence, const fs::path& folder) {
+  const SequenceRenderer renderer(load_sequence(sequence));
+  fs::create_directories(folder);
+  for (int i = 0; i < renderer.spec().frame_count(); ++i) {
+    ColorImage color = renderer.render(i).color;
+    cv::imwrite(folder / fmt::format("{:06}.jpg", i),
+                cv::Mat(color.height(), color.width(), CV_8UC3, color.data()));
+  }
+}
+
+TEST_F(Eval, PhotorealFramesAreEvaluatedAloneAndSaySo) {
+  write_photographs(path("set/one.seq.toml"), path("photos/one"));
+  const std::string eval = "eval " + path("tiny.graspdb") + " --sequences " + path("set") +
+                           " --photoreal " + path("photos") + " --alphas 0 --out " +
+                           path("photo-out");
+  const Outcome table = run_program(eval);
+  ASSERT_EQ(table.code, 0) << table.err;
+  for (const char* text : {"one, photoreal frames:", "found hand against true hand",
+                           "Means over 1 photoreal sequences"})
+    EXPECT_THAT(table.out, HasSubstr(text));
+  EXPECT_THAT(table.out, Not(HasSubstr("two")));
+  const json report = json::parse(read_text(path("photo-out/eval.json")));
+  EXPECT_EQ(report["kind"], "photoreal");
+  ASSERT_EQ(report["rows"].size(), 4U);  // the models; the other sequence has no frames
+  EXPECT_GT(report["rows"][0]["segmentation_iou"], 0.9);
+  for (const char* file : {"photo-out/runs.csv", "photo-out/frames.csv"})
+    EXPECT_EQ(read_csv(path(file))[0].at("kind"), "photoreal");
+  EXPECT_GT(std::stod(read_csv(path("photo-out/runs.csv"))[0].at("segmentation_iou")), 0.9);
+
+  EXPECT_EQ(json::parse(outcome_.out)["kind"], "rendered");
+  EXPECT_EQ(read_csv(path("out/runs.csv"))[0].at("segmentation_iou"), "");
+}
+
+TEST_F(Eval, AFolderWithTooFewPhotorealFramesIsRefusedBeforeAnythingIsRun) {
+  fs::create_directories(path("few/one"));
+  const std::string eval =
+      "eval " + path("tiny.graspdb") + " --sequences " + path("set") + " --photoreal ";
+  const Outcome few = run_program(eval + path("few"));
+  EXPECT_EQ(few.code, 1);
+  EXPECT_THAT(few.err, HasSubstr("14 pictures"));
+  EXPECT_EQ(few.out, "");
+  const Outcome none = run_program(eval + path("set"));
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.err, HasSubstr("name of a sequence"));
 }
 
 TEST_F(Eval, AHandThatIsNotThereIsNamedBeforeAnythingIsRun) {

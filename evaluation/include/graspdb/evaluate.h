@@ -61,11 +61,20 @@ struct Recovery {
   bool recovered = false;
 };
 
+// Where frames and masks come from: this project's renderer and the true mask, or photorealistic
+// pictures (photoreal.h) and a mask found in them. Their numbers are never mixed.
+enum class FrameKind { kRendered, kPhotoreal };
+std::string kind_name(FrameKind kind);  // "rendered", "photoreal"
+
 struct SequenceEvaluation {
   std::string name;
+  FrameKind kind = FrameKind::kRendered;
   std::optional<int> grasp_type;
   std::vector<FrameTruth> truth;  // a frame each, as the share of the hand that is hidden
   std::vector<double> occlusion;
+  // Mean over frames of the found hand's intersection over union with the true one; NaN when the
+  // mask is the true one.
+  double segmentation_iou = 0;
   Baselines baselines;
   // Frames whose hand is closed at least half, and those of them whose fingers are 5 degrees or
   // more from the nearest pose of the database.
@@ -86,6 +95,8 @@ struct SequenceFrames {
   std::vector<Mask> hand;       // visible; noise is added by evaluate()
   std::vector<FrameTruth> truth;
   std::vector<double> occlusion;
+  FrameKind kind = FrameKind::kRendered;
+  std::vector<double> segmentation_iou;  // NaN where neither has a hand; empty when rendered
 };
 SequenceFrames render_frames(const SequenceRenderer& sequence);
 
