@@ -4,8 +4,8 @@ skin, room and light of their own.
 
 blender -b --factory-startup --python-exit-code 1 --python photoreal.py -- MESHES LOOKS.toml SET OUT
     [--frames 0,40,80]      these, though they are there; otherwise those that OUT lacks
-    [--check MASKS]         renders nothing: holds silhouettes of --frames against the masks of
-                            `graspdb sequence --out`
+    [--check MASKS]         renders nothing: holds silhouettes (of four frames, or --frames) against
+                            the masks of `graspdb sequence --out`
 
 SET is train or test; the look is the one of LOOKS.toml with the sequence's name. Pictures are JPEG.
 """
@@ -18,7 +18,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 sys.dont_write_bytecode = True
 # pylint: disable=wrong-import-position
 import cv2
-import numpy as np
 import photoreal_picture as picture
 import photoreal_stage as stage
 import tomllib
@@ -50,6 +49,11 @@ def missing_frames(meshes, out):
     return [i for i in range(meshes.frame_count) if not (out / f"{i:06}.jpg").exists()]
 
 
+def some_frames(meshes):
+    last = meshes.frame_count - 1
+    return [0, last // 3, 2 * last // 3, last]
+
+
 def check(studio, frames, masks):
     """The hand that Blender sees is the hand that graspdb sees."""
     worst = 1.0
@@ -74,14 +78,17 @@ def render(studio, look, frames, out):
         if not cv2.imwrite(str(aside), photo, picture.jpeg_options(look["jpeg_quality"])):
             sys.exit(f"photoreal: {aside}: cannot be written")
         aside.rename(out / f"{frame:06}.jpg")
-        print(f"{studio.meshes.name}: {done} of {len(frames)} frames, {time.time() - begin:.2f} s", flush=True)
+        seconds = time.time() - begin
+        print(f"{studio.meshes.name}: {done} of {len(frames)} frames, {seconds:.2f} s", flush=True)
 
 
 def main():
     arguments = parse_arguments(sys.argv[sys.argv.index("--") + 1 :])
     meshes = Meshes(arguments.meshes)
     look = read_look(arguments.looks, arguments.set, meshes.name)
-    frames = arguments.frames or missing_frames(meshes, arguments.out)
+    frames = arguments.frames
+    if frames is None:
+        frames = some_frames(meshes) if arguments.check else missing_frames(meshes, arguments.out)
     if not frames:
         return
     studio = stage.Studio(meshes, look)

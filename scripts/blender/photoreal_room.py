@@ -174,7 +174,8 @@ class Room:
     def lamp(self, x, y, z, width):
         metal = shading.plain([0.8, 0.8, 0.78], 0.35, mottled=0.02)
         self.cylinder((x, y, z), 0.07, 0.015, metal)
-        self.tube([(x, y, z), (x, y, z + 0.2), (x - 0.04, y, z + 0.34), (x - 0.1, y - 0.04, z + 0.36)], 0.006, metal)
+        arm = [(x, y, z), (x, y, z + 0.2), (x - 0.04, y, z + 0.34), (x - 0.1, y - 0.04, z + 0.36)]
+        self.tube(arm, 0.006, metal)
         self.cylinder((x - 0.11, y - 0.05, z + 0.29), 0.07, 0.09, metal, 0.03)
 
     def monitor(self, x, y, z, width):
@@ -205,7 +206,8 @@ class Room:
     def fruit(self, x, y, z, width):
         bowl = shading.plain([0.85, 0.87, 0.88], 0.2, mottled=0.02)
         self.cylinder((x, y, z), 0.05, 0.05, bowl, 0.1)
-        for i, colour in enumerate(([0.45, 0.6, 0.15], [0.85, 0.7, 0.15], [0.75, 0.35, 0.1], [0.5, 0.62, 0.2])):
+        skins = ([0.45, 0.6, 0.15], [0.85, 0.7, 0.15], [0.75, 0.35, 0.1], [0.5, 0.62, 0.2])
+        for i, colour in enumerate(skins):
             where = (x + 0.045 * math.cos(1.6 * i), y + 0.045 * math.sin(1.6 * i), z + 0.07)
             self.ball(where, 0.037, shading.plain(colour, 0.4, mottled=0.15, bumps=0.2))
 

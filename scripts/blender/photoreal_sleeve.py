@@ -31,7 +31,7 @@ class Sleeve:
         start = pose[:, 3] + along * self.meshes.visible_forearm
         start = start + pose[:, 0] * self.centre[0] + pose[:, 2] * self.centre[1]
         points, tangents = self.arm(start, along)
-        rings = [self.ring(points[0], tangents[0], pose, 1.0 * np.ones(SIDES), 0)]
+        rings = [self.ring(points[0], tangents[0], pose, np.ones(SIDES), 0)]
         for i, (point, tangent) in enumerate(zip(points, tangents)):
             rings.append(self.ring(point, tangent, pose, self.folds[i], self.distances[i]))
         return np.concatenate(rings)
@@ -79,7 +79,7 @@ def folds(rng, rings):
     """How much wider than the arm the cloth is: a hem, then folds that run around and askew."""
     distance = np.arange(rings)[:, None] * STEP_M
     turn = np.linspace(0, 2 * np.pi, SIDES, endpoint=False)[None, :]
-    wide = 1.22 + 0.0 * distance * turn
+    wide = np.full((rings, SIDES), 1.22)
     for _ in range(9):
         waves, length = rng.integers(1, 4), rng.uniform(0.025, 0.08)
         phase = rng.uniform(0, 2 * np.pi)
