@@ -110,7 +110,7 @@ Outcome Eval::outcome_;
 TEST_F(Eval, JsonHasTheKeysThatOthersRelyOn) {
   const json report = json::parse(outcome_.out);
   EXPECT_EQ(report, json::parse(read_text(path("out/eval.json"))));
-  ASSERT_EQ(report["rows"].size(), 12U);  // 2 sequences x 3 models x 2 alphas
+  ASSERT_EQ(report["rows"].size(), 16U);  // 2 sequences x 4 models x 2 alphas
   for (const json& row : report["rows"]) {
     for (const char* key : {"sequence", "temporal", "alpha", "oracle", "random", "constant"})
       EXPECT_TRUE(row.contains(key)) << key;
@@ -122,10 +122,10 @@ TEST_F(Eval, JsonHasTheKeysThatOthersRelyOn) {
     }
     EXPECT_GE(row["mpjpe_mm"], row["oracle"]["mpjpe_mm"]);
   }
-  EXPECT_EQ(report["set"]["runs"].size(), 6U);
+  EXPECT_EQ(report["set"]["runs"].size(), 8U);
   EXPECT_EQ(report["set"]["differences"].size(), 9U);
   EXPECT_EQ(report["set"]["runs"][0]["means"]["pose_error"]["sequences"], 2);
-  EXPECT_EQ(report["set"]["recovery"].size(), 3U);
+  EXPECT_EQ(report["set"]["recovery"].size(), 4U);
   EXPECT_EQ(report["database"]["content_hash"].get<std::string>().size(), 32U);
 }
 
