@@ -134,6 +134,17 @@ SequenceSpec load_sequence(const std::filesystem::path& file,
   return spec;
 }
 
+std::optional<SequenceSpec> with_grasp_of_type(SequenceSpec spec,
+                                               const std::filesystem::path& grasps) {
+  const std::vector<Grasp> all = load_grasps(grasps);
+  const auto same =
+      std::ranges::find_if(all, [&](const Grasp& grasp) { return spec.grasp_type == grasp.id; });
+  if (same == all.end()) return std::nullopt;
+  spec.grasp = *same;
+  spec.rest = load_rest_pose(grasps);
+  return spec;
+}
+
 Hand sequence_hand(const SequenceSpec& spec) {
   return spec.hand.file.empty() ? make_hand(spec.hand.shape) : load_hand(spec.hand.file);
 }

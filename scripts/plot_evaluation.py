@@ -8,7 +8,6 @@ Needs matplotlib: scripts/install.sh python3-matplotlib
 """
 
 import argparse
-import csv
 import json
 import pathlib
 
@@ -17,6 +16,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy
+
+from evaluation_tables import clustered_interval, number, read_columns
 
 # Okabe and Ito's colours, which the colour-blind tell apart; marks and dashes say it once more.
 MODELS = {
@@ -41,23 +42,13 @@ LABELS = {
     "mpjpe_mm": "MPJPE (mm)",
 }
 OCCLUSION_EDGES = (0, 16, 32, 48, 64, 80, 100)  # percent; the last bin holds what lies beyond 80
-DRAWS = 2000
 FEWEST_ANSWERS = 10  # of a calibration bin whose share is drawn
-
-
-def number(value):
-    """null and an empty cell are values that do not apply."""
-    return numpy.nan if value in (None, "") else float(value)
 
 
 def read(directory):
     """eval.json, and frames.csv as lists of texts by column."""
     evaluation = json.loads((directory / "eval.json").read_text())
-    with open(directory / "frames.csv", newline="") as file:
-        lines = list(csv.DictReader(file))
-    if not lines:
-        raise SystemExit(f"{directory / 'frames.csv'}: no frames")
-    return evaluation, {name: [line[name] for line in lines] for name in lines[0]}
+    return evaluation, read_columns(directory / "frames.csv")
 
 
 class Frames:
@@ -136,18 +127,6 @@ def figure_alpha(evaluation, _, metric):
     axes.set_title(f"Mean over {sequences} sequences; bars: 95 % interval" if sequences > 1 else
                    "One sequence: no intervals")
     return figure
-
-
-def clustered_interval(values, sequences):
-    """95 % interval of the mean over frames when sequences are drawn; none of a single sequence."""
-    names, member = numpy.unique(sequences, return_inverse=True)
-    if len(names) < 2:
-        return numpy.nan, numpy.nan
-    total = numpy.bincount(member, values)
-    count = numpy.bincount(member)
-    drawn = numpy.random.default_rng(0).integers(len(names), size=(DRAWS, len(names)))
-    means = total[drawn].sum(1) / count[drawn].sum(1)
-    return tuple(numpy.percentile(means, (2.5, 97.5)))
 
 
 def occlusion_bins(frames, alpha, models):

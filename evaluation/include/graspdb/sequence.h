@@ -78,6 +78,12 @@ Eigen::Matrix3d camera_from_view(const Eigen::Vector3d& yaw_pitch_roll);
 SequenceSpec load_sequence(const std::filesystem::path& file,
                            const std::filesystem::path& hand_file = {});
 
+// The same motion with a grasp of the folder `grasps`: the one whose number is the sequence's
+// grasp_type, its object and the folder's rest pose instead of the sequence's own. Nothing when the
+// sequence has no type or the folder no grasp of it.
+std::optional<SequenceSpec> with_grasp_of_type(SequenceSpec spec,
+                                               const std::filesystem::path& grasps);
+
 // Where everything is in one frame.
 struct FrameGeometry {
   GraspPose pose;

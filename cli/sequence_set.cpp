@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "sequence_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "console.h"
+#include "graspdb/error.h"
+#include "graspdb/photoreal.h"
+#include "graspdb/rig.h"
+
+namespace graspdb::cli {
+namespace {
+
+std::vector<std::filesystem::path> sequence_files(const std::filesystem::path& given) {
+  if (std::filesystem::is_regular_file(given)) return {given};
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(given)) {
+    for (const auto& entry : std::filesystem::directory_iterator(given)) {
+      if (entry.path().string().ends_with(".seq.toml")) files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  if (files.empty())
+    throw Error({.file = given.string(), .expected = "sequences (*.seq.toml)", .found = "none"});
+  return files;
+}
+
+void require_hand(const SequenceSpec& spec) {
+  const auto& hand = spec.hand.file;
+  if (hand.empty() || std::filesystem::exists(hand)) return;
+  throw Error({spec.file.string(), "hand.file", "a hand; scripts/fetch_hands.sh fetches WebXR's",
+               "no file " + hand.string()});
+}
+
+std::vector<SequenceSpec> load_all(const SequenceSetOptions& options) {
+  if (!options.hand.empty()) load_hand(options.hand);
+  std::vector<SequenceSpec> specs;
+  std::set<std::string> names;
+  for (const auto& file : sequence_files(options.sequences)) {
+    specs.push_back(load_sequence(file, options.hand));
+    if (options.fps) specs.back().frames_per_second = *options.fps;
+    require_hand(specs.back());
+    if (names.insert(specs.back().name).second) continue;
+    throw Error({file.string(), "name", "one that no other sequence has", specs.back().name});
+  }
+  return specs;
+}
+
+std::vector<SequenceSpec> with_frames(std::vector<SequenceSpec> specs,
+                                      const std::filesystem::path& folder) {
+  std::erase_if(specs, [&](const auto& spec) { return !has_photoreal_frames(spec, folder); });
+  if (!specs.empty()) return specs;
+  throw Error({.file = folder.string(),
+               .expected = "a folder of frames with the name of a sequence",
+               .found = "none"});
+}
+
+}  // namespace
+
+SequenceSet::SequenceSet(SequenceSetOptions options)
+    : options_(std::move(options)), specs_(load_all(options_)) {
+  if (!options_.photoreal.empty()) specs_ = with_frames(std::move(specs_), options_.photoreal);
+}
+
+std::optional<SequenceRenderer> SequenceSet::leave_out(const std::string& name,
+                                                       const std::string& why) {
+  fmt::print(stderr, "{} is left out: {}\n", name, why);
+  left_out_.emplace_back(name, why);
+  return std::nullopt;
+}
+
+std::optional<SequenceRenderer> SequenceSet::renderer(const SequenceSpec& own) {
+  if (options_.hand.empty() && options_.grasps.empty()) return SequenceRenderer(own);
+  std::optional<SequenceSpec> spec = own;
+  if (!options_.grasps.empty()) spec = with_grasp_of_type(own, options_.grasps);
+  if (!spec) return leave_out(own.name, "no grasp of its type in " + options_.grasps);
+  // Nobody has looked at what the two options put together: a hand that cannot be closed on the
+  // object leaves out this sequence, not all of them.
+  try {
+    return SequenceRenderer(std::move(*spec));
+  } catch (const Error& error) {
+    return leave_out(own.name, error.what());
+  }
+}
+
+SequenceFrames SequenceSet::frames(const SequenceRenderer& renderer) const {
+  return options_.photoreal.empty() ? render_frames(renderer)
+                                    : photoreal_frames(renderer, options_.photoreal);
+}
+
+nlohmann::json SequenceSet::json() const {
+  nlohmann::json left_out = nlohmann::json::array();
+  for (const auto& [name, why] : left_out_) left_out.push_back({{"sequence", name}, {"why", why}});
+  return {{"fps", options_.fps ? nlohmann::json(*options_.fps) : nlohmann::json()},
+          {"hand", options_.hand},
+          {"grasps", options_.grasps},
+          {"left_out", std::move(left_out)}};
+}
+
+void add_sequence_options(CLI::App& verb, SequenceSetOptions& options) {
+  verb.add_option("--sequences", options.sequences, "A folder of *.seq.toml, or one of them")
+      ->required();
+  CLI::Option* photoreal =
+      verb.add_option("--photoreal", options.photoreal,
+                      "A folder of photoreal frames, NAME/000000.jpg ...: only sequences that have "
+                      "them are run, on them, with the hand found by its colour");
+  CLI::Option* hand =
+      verb.add_option("--hand", options.hand, "A rigged hand instead of the sequences' own");
+  CLI::Option* grasps = verb.add_option(
+      "--grasps", options.grasps,
+      "A folder of grasps: the one of a sequence's type, with its object, instead of "
+      "the sequence's own; a sequence without a type is left out");
+  CLI::Option* fps = verb.add_option("--fps", options.fps, "Frames a second instead of the files'")
+                         ->check(CLI::Range(kMinFramesPerSecond, kMaxFramesPerSecond))
+                         ->check(check_not_nan);
+  photoreal->excludes(hand)->excludes(grasps)->excludes(fps);  // photographs show what they show
+}
+
+}  // namespace graspdb::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The sequences that `eval` and `tune` run the tracker over.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graspdb/evaluate.h"
+
+namespace graspdb::cli {
+
+struct SequenceSetOptions {
+  std::string sequences;     // a folder of *.seq.toml, or one of them
+  std::string photoreal;     // a folder of frames; empty: they are rendered
+  std::string hand, grasps;  // instead of the sequences' own, unless empty
+  std::optional<double> fps;
+};
+void add_sequence_options(CLI::App& verb, SequenceSetOptions& options);
+
+// What is wrong with any of the files is found before the first is run.
+class SequenceSet {
+ public:
+  explicit SequenceSet(SequenceSetOptions options);
+
+  const std::vector<SequenceSpec>& specs() const { return specs_; }
+
+  // Nothing when --hand or --grasps leave it out: no grasp of its type, or a hand that cannot be
+  // closed on its object. Told on stderr.
+  std::optional<SequenceRenderer> renderer(const SequenceSpec& spec);
+  SequenceFrames frames(const SequenceRenderer& renderer) const;
+
+  // fps, hand and grasps as they were given; left_out: [{sequence, why}].
+  nlohmann::json json() const;
+
+ private:
+  std::optional<SequenceRenderer> leave_out(const std::string& name, const std::string& why);
+
+  SequenceSetOptions options_;
+  std::vector<SequenceSpec> specs_;
+  std::vector<std::pair<std::string, std::string>> left_out_;  // name and why
+};
+
+}  // namespace graspdb::cli
