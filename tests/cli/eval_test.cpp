@@ -9,7 +9,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "graspdb/closing.h"
 #include "graspdb/file.h"
+#include "graspdb/rig.h"
 #include "graspdb/sequence.h"
 #include "program.h"
 #include "support/temporary_directory.h"
@@ -85,6 +87,11 @@ std::vector<std::map<std::string, std::string>> read_csv(const fs::path& file) {
     }
   }
   return lines;
+}
+
+// The first of them.
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
 }
 
 class Eval : public ::testing::Test {
@@ -229,14 +236,75 @@ TEST_F(Eval, AFolderWithTooFewPhotorealFramesIsRefusedBeforeAnythingIsRun) {
 
 TEST_F(Eval, AHandThatIsNotThereIsNamedBeforeAnythingIsRun) {
   write_short_sequence(*directory_ / "absent", "one");
-  std::string text = read_text(path("absent/one.seq.toml"));
-  text.replace(text.find("male.glb"), 8, "none.glb");
-  write_text(path("absent/one.seq.toml"), text);
+  const fs::path file = path("absent/one.seq.toml");
+  write_text(file, replaced(read_text(file), "male.glb", "none.glb"));
   const Outcome outcome =
       run_program("eval " + path("tiny.graspdb") + " --sequences " + path("absent"));
   EXPECT_EQ(outcome.code, 1);
   for (const char* told : {"one.seq.toml", "none.glb", "scripts/fetch_hands.sh"})
     EXPECT_THAT(outcome.err, HasSubstr(told));
+}
+
+TEST_F(Eval, AnotherHandAndItsGraspsTakeThePlaceOfASequencesOwn) {
+  write_short_sequence(*directory_ / "strange", "strange");
+  const fs::path file = path("strange/strange.seq.toml");
+  const std::string text = read_text(file);
+  write_text(file, replaced(text, "grasp_type = 14", "grasp_type = 9"));
+  write_text(path("strange/untyped.seq.toml"),
+             replaced(replaced(text, "grasp_type = 14\n", ""), "\"strange\"", "\"untyped\""));
+  const std::string command = "eval " + path("tiny.graspdb") + " --sequences " + path("strange") +
+                              " --alphas 0 --json --hand " +
+                              (kSource / "assets/hands/female.glb").string() + " --grasps " +
+                              (kSource / "grasps").string();
+  const Outcome outcome = run_program(command);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("untyped is left out: no grasp of its type"));
+  const json report = json::parse(outcome.out);
+  ASSERT_EQ(report["rows"].size(), 3U);
+  EXPECT_EQ(report["rows"][0]["sequence"], "strange");
+  ASSERT_EQ(report["left_out"].size(), 1U);
+  EXPECT_EQ(report["left_out"][0]["sequence"], "untyped");
+  EXPECT_THAT(report["grasps"].get<std::string>(), HasSubstr("grasps"));
+  EXPECT_THAT(report["hand"].get<std::string>(), HasSubstr("female.glb"));
+
+  const json own = json::parse(run_program("eval " + path("tiny.graspdb") + " --sequences " +
+                                           file.string() + " --alphas 0 --json")
+                                   .out);
+  EXPECT_EQ(own["left_out"].size(), 0U);
+  for (const char* metric : {"joint_deg", "mpjpe_mm"})  // other angles, other lengths
+    EXPECT_NE(own["rows"][0]["oracle"][metric], report["rows"][0]["oracle"][metric]);
+}
+
+TEST_F(Eval, AnotherHandThatEntersTheObjectLeavesOutThatSequence) {
+  const Hand hand = load_hand(kSource / "assets/hands/male.glb");
+  for (const char* name : {"fits", "clash"}) write_short_sequence(*directory_ / "clash", name);
+  const fs::path file = path("clash/clash.seq.toml"), grasp_file = path("clash/clash.grasp.toml");
+  write_text(file, replaced(read_text(file), "14_tripod.toml", "clash.grasp.toml"));
+  write_text(grasp_file,
+             replaced(read_text(path("clash/14_tripod.toml")), "number = 14", "number = 114"));
+  const Grasp grasp = load_grasp(grasp_file);
+  GraspPose inside = grasp.start;
+  inside.hand_from_object.translation = {0, 0.05, 0};  // the middle of the palm
+  keep_closed_poses({grasp}, hand, {inside});
+
+  const std::string command =
+      "eval " + path("tiny.graspdb") + " --alphas 0 --json --sequences " + path("clash");
+  const Outcome refused = run_program(command);
+  EXPECT_EQ(refused.code, 1);
+  const std::string other = " --hand " + (kSource / "assets/hands/male.glb").string();
+  const Outcome outcome = run_program(command + other);
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("clash is left out: "));
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report["rows"][0]["sequence"], "fits");
+  EXPECT_EQ(report["left_out"][0]["sequence"], "clash");
+  EXPECT_THAT(report["left_out"][0]["why"].get<std::string>(), HasSubstr("2 mm"));
+
+  fs::remove(path("clash/fits.seq.toml"));
+  const Outcome none = run_program(command + other);
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.err, HasSubstr("every sequence is left out"));
+  EXPECT_EQ(run_program(command + " --hand " + path("none.glb")).code, 1);
 }
 
 TEST_F(Eval, TwoSequencesOfOneNameAreRefused) {

@@ -235,6 +235,28 @@ TEST(Sequence, AnObjectThatCollidesIsRefused) {
   }
 }
 
+TEST(Sequence, AGraspOfItsTypeTakesThePlaceOfItsOwn) {
+  SequenceSpec own = short_spec();
+  own.grasp_type = 3;
+  const auto known = with_grasp_of_type(own, kSource / "grasps");
+  ASSERT_TRUE(known);
+  EXPECT_EQ(known->grasp.id, 3);
+  EXPECT_NE(known->grasp.object_name, own.grasp.object_name);
+  EXPECT_EQ(known->rest, load_rest_pose(kSource / "grasps"));
+  EXPECT_NE(known->rest, own.rest);
+  EXPECT_EQ(known->keyframes.back().palm, own.keyframes.back().palm);
+}
+
+TEST(Sequence, ThereIsNoGraspOfNoTypeOrOfOneThatTheFolderLacks) {
+  SequenceSpec spec = short_spec();
+  spec.grasp_type = std::nullopt;
+  EXPECT_FALSE(with_grasp_of_type(spec, kSource / "grasps"));
+  const testing::TemporaryDirectory folder;
+  std::filesystem::copy_file(kSource / "grasps/14_tripod.toml", folder / "14_tripod.toml");
+  spec.grasp_type = 3;
+  EXPECT_FALSE(with_grasp_of_type(spec, folder.path()));
+}
+
 TEST(Sequence, BrokenFilesAreNamed) {
   const testing::TemporaryDirectory directory;
   const std::string good = read_text(kSource / "sequences/test/bottle.seq.toml");
