@@ -20,6 +20,7 @@ void add_query(CLI::App& app);
 void add_render(CLI::App& app);
 void add_sequence(CLI::App& app);
 void add_track(CLI::App& app);
+void add_tune(CLI::App& app);
 void add_tracker_process(CLI::App& app);
 
 }  // namespace graspdb::cli

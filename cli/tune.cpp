@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Many trackers at once over the same frames: what scripts/tune.py chooses from.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "console.h"
+#include "eval_files.h"
+#include "graspdb/error.h"
+#include "report.h"
+#include "sequence_set.h"
+#include "tracker_options.h"
+#include "verbs.h"
+
+namespace graspdb::cli {
+namespace {
+
+using nlohmann::json;
+
+struct Options {
+  std::string database, trackers, search = "exact";
+  SequenceSetOptions set;
+  std::vector<double> alphas = {0, 1};
+  std::uint64_t seed = 0;
+};
+
+struct Given {
+  std::string key;
+  double value;
+};
+
+void set_option(TrackerOptions& options, const Given& given, const std::string& file) {
+  const auto& [key, value] = given;
+  const auto check = [&](double low, double high) {
+    if (value >= low && value <= high) return value;
+    throw Error({file, key, fmt::format("{} to {}", low, high), fmt::format("{}", value)});
+  };
+  if (key == "neighbours") {
+    options.neighbours = static_cast<int>(check(1, 1000));
+  } else if (key == "kept") {
+    options.kept = static_cast<int>(check(1, 1000));
+  } else if (key == "sigma_hog") {
+    options.sigma_hog = check(0.01, 100);
+  } else if (key == "sigma_stretch") {
+    options.sigma_stretch = check(0.01, 100);
+  } else if (key == "sigma_pose") {
+    options.sigma_pose = check(0.01, 100);
+  } else if (key == "bandwidth") {
+    options.bandwidth = check(0.01, 100);
+  } else {
+    throw Error({file, key, "an option of the tracker", "none of that name"});
+  }
+}
+
+TrackerOptions tracker_of(const json& line, const std::string& file) {
+  TrackerOptions options = tuned_options(temporal_from_name(line.at("temporal")));
+  for (const auto& [key, value] : line.items()) {
+    if (key != "temporal") set_option(options, {key, value.get<double>()}, file);
+  }
+  return options;
+}
+
+std::vector<TrackerOptions> read_trackers(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<TrackerOptions> trackers;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    const std::string where = fmt::format("{}: line {}", path, ++number);
+    try {
+      trackers.push_back(tracker_of(json::parse(line), where));
+    } catch (const json::exception& error) {
+      throw Error({where, "", "{\"temporal\": NAME, OPTION: NUMBER, ...}", error.what()});
+    }
+  }
+  if (trackers.empty())
+    throw Error({.file = path, .expected = "a line for each tracker", .found = "none"});
+  return trackers;
+}
+
+// One tracker's errors in one sequence, over all alphas.
+json mean_errors(const SequenceEvaluation& sequence, std::size_t tracker, std::size_t alphas) {
+  double pose_error = 0, rotation = 0, joints = 0;
+  for (std::size_t i = tracker * alphas; i < (tracker + 1) * alphas; ++i) {
+    pose_error += sequence.runs[i].errors.mean[kPoseError];
+    rotation += sequence.runs[i].errors.mean[kRotationDeg];
+    joints += sequence.runs[i].errors.mean[kJointDeg];
+  }
+  const auto count = static_cast<double>(alphas);
+  return {{"pose_error", pose_error / count},
+          {"rotation_deg", rotation / count},
+          {"joint_deg", joints / count}};
+}
+
+void run(const Options& options) {
+  const Database database = Database::open(options.database);
+  const EvalOptions settings{
+      .trackers = read_trackers(options.trackers), .alphas = options.alphas, .seed = options.seed};
+  SequenceSet set(options.set);
+  const PoseGrid grid(database);
+  const auto search = open_search(database, options.search);
+  std::vector<json> lines;
+  for (const TrackerOptions& tracker : settings.trackers) {
+    lines.push_back(options_json(tracker));
+    lines.back()["temporal"] = temporal_name(tracker.temporal);
+  }
+  for (const SequenceSpec& spec : set.specs()) {
+    const auto renderer = set.renderer(spec);
+    if (!renderer) continue;
+    const SequenceEvaluation result =
+        evaluate(database, grid, *search, set.frames(*renderer), settings,
+                 console_progress(spec.name + ":", "passes"));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      lines[i]["sequences"][spec.name] = mean_errors(result, i, options.alphas.size());
+  }
+  for (const json& line : lines) fmt::print("{}\n", line.dump());
+}
+
+}  // namespace
+
+void add_tune(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* verb =
+      app.add_subcommand("tune", "Errors of many trackers over the same sequences, a line each");
+  verb->add_option("DB", options->database, "The database")->required();
+  add_sequence_options(*verb, options->set);
+  verb->add_option("--trackers", options->trackers,
+                   "A file with a JSON object a line: temporal, and what is not as chosen for it "
+                   "of neighbours, kept, sigma_hog, sigma_stretch, sigma_pose, bandwidth")
+      ->required();
+  verb->add_option("--alphas", options->alphas, "Segmentation noise, percent, by commas")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Range(0.0, 100.0));
+  verb->add_option("--search", options->search, "How neighbours are found")
+      ->check(CLI::IsMember({"exact", "scan", "lsh"}));
+  verb->add_option("--seed", options->seed, "Seed of the segmentation noise");
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace graspdb::cli
