@@ -61,6 +61,7 @@ class Line:
 
     measure: str
     metric: str
+    sides: tuple  # the two means whose difference it is, if it is one
     mean: float
     low: float
     high: float
@@ -119,24 +120,21 @@ def difference(values, others):
     return {name: values[name] - others[name] for name in sorted(set(values) & set(others))}
 
 
-def line(measure, values, metric="pose_error", margin=0.0, decides=True):
-    if not values:
+def line(measure, values, others, metric="pose_error", share=0.0, decides=True):
+    """values - others; the margin is a share of the mean of others."""
+    paired = difference(values, others)
+    if not paired:
         raise SystemExit(f"{measure}: no sequence is on both sides")
-    numbers = numpy.array(list(values.values()))
-    low, high = clustered_interval(numbers, list(values))
-    return Line(measure, metric, float(numbers.mean()), low, high, len(values), margin, decides)
-
-
-def no_worse(measure, values, reference, metric="pose_error", decides=True):
-    """That values are at most SHARE above the mean of the reference."""
-    paired = difference(values, reference)
-    margin = SHARE * float(numpy.mean([reference[name] for name in paired])) if paired else 0.0
-    return line(measure, paired, metric, margin, decides)
+    sides = tuple(float(numpy.mean([side[name] for name in paired])) for side in (values, others))
+    numbers = numpy.array(list(paired.values()))
+    low, high = clustered_interval(numbers, list(paired))
+    return Line(measure, metric, sides, float(numbers.mean()), low, high, len(paired),
+                share * sides[1], decides)
 
 
 def beats(runs, model, other, alpha, decides=True):
-    values = difference(runs.of(model, alpha), runs.of(other, alpha))
-    return line(f"{model} - {other} at {alpha:g} %", values, decides=decides)
+    return line(f"{model} - {other} at {alpha:g} %", runs.of(model, alpha), runs.of(other, alpha),
+                decides=decides)
 
 
 def claim_order(runs):
@@ -154,7 +152,7 @@ def claim_more_so(runs):
     for model, other in (("kde", "none"), ("kde", "gaussian"), ("gaussian", "none")):
         noisy, clean = (difference(runs.of(model, alpha), runs.of(other, alpha))
                         for alpha in (NOISY, 0))
-        lines.append(line(f"({model} - {other}) at {NOISY:g} % - at 0", difference(noisy, clean),
+        lines.append(line(f"({model} - {other}) at {NOISY:g} % - at 0", noisy, clean,
                           decides=(model, other) == ("kde", "none")))
     return Claim("a2", "more so at higher alpha", lines)
 
@@ -162,8 +160,8 @@ def claim_more_so(runs):
 def claim_noise(runs):
     clean = runs.of("kde", 0)
     runs.of("kde", NOISY)  # or the claim could be confirmed without it
-    lines = [no_worse(f"kde at {alpha:g} % - at 0", runs.of("kde", alpha), clean,
-                      decides=alpha <= NOISY)
+    lines = [line(f"kde at {alpha:g} % - at 0", runs.of("kde", alpha), clean, share=SHARE,
+                  decides=alpha <= NOISY)
              for alpha in runs.alphas if alpha > 0]
     return Claim("b", f"largely unaffected by noise up to {NOISY:g} %", lines)
 
@@ -191,14 +189,14 @@ def claim_objects(held, free):
     lines = []
     for metric in METRICS:
         sides = [grasping_means(directory, metric) for directory in (held, free)]
-        lines.append(line("held rows - free rows", difference(*sides), metric,
+        lines.append(line("held rows - free rows", *sides, metric,
                           decides=metric == "pose_error"))
     return Claim("c", "objects in the database help", lines, left_out(*sides))
 
 
 def claim_generalises(name, text, measure, main, seen):
-    lines = [no_worse(measure, main.of("kde", 0, metric), seen.of("kde", 0, metric), metric,
-                      decides=metric == "pose_error") for metric in METRICS]
+    lines = [line(measure, main.of("kde", 0, metric), seen.of("kde", 0, metric), metric,
+                  share=SHARE, decides=metric == "pose_error") for metric in METRICS]
     return Claim(name, text, lines, left_out(main.of("kde", 0), seen.of("kde", 0)))
 
 
@@ -215,25 +213,42 @@ def frame_times(file):
 
 def claim_speed(file):
     times, frames = frame_times(file)
-    lines = [Line(f"p99 of a frame, {search}, against {rate}", "ms", ms, ms, ms, 0, limit,
+    lines = [Line(f"p99 of a frame, {search}, against {rate}", "ms", (), ms, ms, ms, 0, limit,
                   decides=(search, rate) == (SEARCH, "10 frames/s"))
              for search, ms in times.items() for rate, limit in FRAME_MS.items()]
     return Claim("e", "real time on one core", lines, f"{frames} frames, one thread.")
 
 
-def require_alike(directories, keys):
+def told(directory, key):
+    file = directory / "eval.json"
+    evaluation = json.loads(file.read_text())
+    if key not in evaluation:
+        raise SystemExit(f"{file}: no {key}")
+    return evaluation[key]
+
+
+def require_alike(directories, *further):
     """A difference says nothing of what it is asked for when something else differs, too."""
-    told = [json.loads((directory / "eval.json").read_text()) for directory in directories]
-    for key in keys:
-        if any(one.get(key) != told[0].get(key) for one in told):
+    for key in ("trackers", "search", "seed", "fps", *further):
+        values = [told(directory, key) for directory in directories]
+        if any(value != values[0] for value in values):
             raise SystemExit(f"{' and '.join(map(str, directories))}: {key} differs")
 
 
+def require_kind(directory, kind):
+    if told(directory, "kind") != kind:
+        raise SystemExit(f"{directory}: an evaluation of {kind} frames is asked for")
+
+
 def paper_claims(arguments):
+    for directory in (arguments.main, arguments.held, arguments.free, arguments.seen_hand,
+                      arguments.seen_grasp):
+        if directory:
+            require_kind(directory, "rendered")
     main = Runs(arguments.main)
     claims = [claim_order(main), claim_more_so(main), claim_noise(main)]
     if arguments.held:
-        require_alike((arguments.held, arguments.free), ("tracker", "seed", "fps", "hand"))
+        require_alike((arguments.held, arguments.free), "hand", "grasps")
         claims.append(claim_objects(arguments.held, arguments.free))
     others = (
         ("d1", arguments.seen_hand, "generalises to hands that are not in the database",
@@ -242,7 +257,7 @@ def paper_claims(arguments):
          "own hand and grasp - the database's"))
     for name, directory, text, measure in others:
         if directory:
-            require_alike((arguments.main, directory), ("database", "tracker", "seed", "fps"))
+            require_alike((arguments.main, directory), "database")
             claims.append(claim_generalises(name, text, measure, main, Runs(directory)))
     if arguments.bench:
         claims.append(claim_speed(arguments.bench))
@@ -250,6 +265,7 @@ def paper_claims(arguments):
 
 
 def photoreal_claims(directory):
+    require_kind(directory, "photoreal")
     runs = Runs(directory)
     return [claim_order(runs), claim_more_so(runs), claim_noise(runs)]
 
@@ -268,15 +284,16 @@ def value_text(one):
 
 
 def table(claims):
-    text = "| claim | measure | value, 95 % interval | below | sequences | verdict |\n"
-    text += "| --- | --- | --- | --- | --- | --- |\n"
+    text = "| claim | measure | both sides | value, 95 % interval | below | sequences | verdict |\n"
+    text += "| --- | --- | --- | --- | --- | --- | --- |\n"
     for claim in claims:
         for one in claim.lines:
             unit, digits = UNITS[one.metric]
             margin = f"{one.margin:{digits}}" if one.margin else "0"
             verdict = f"**{one.verdict}**" if one.decides else f"({one.verdict})"
-            text += (f"| {claim.name} | {one.measure}: {unit} | {value_text(one)} | {margin} | "
-                     f"{one.sequences or ''} | {verdict} |\n")
+            sides = ", ".join(f"{side:{digits}}" for side in one.sides)
+            text += (f"| {claim.name} | {one.measure}: {unit} | {sides} | {value_text(one)} | "
+                     f"{margin} | {one.sequences or ''} | {verdict} |\n")
     return text
 
 
@@ -291,7 +308,8 @@ def summary(claim):
 
 
 def markdown(claims):
-    return table(claims) + "\n" + "\n".join(map(summary, claims))
+    legend = "Both sides: the means whose difference it is. In brackets: told, decides nothing."
+    return table(claims) + f"\n{legend}\n\n" + "\n".join(map(summary, claims))
 
 
 def as_json(claims):
@@ -329,8 +347,8 @@ def main(arguments=None):
         text += "\nThe photoreal sequences:\n\n" + markdown(sets["photoreal"])
     given.out.parent.mkdir(parents=True, exist_ok=True)
     given.out.write_text(text)
-    told = {name: as_json(claims) for name, claims in sets.items()}
-    given.out.with_suffix(".json").write_text(json.dumps(told, indent=1) + "\n")
+    verdicts = {name: as_json(claims) for name, claims in sets.items()}
+    given.out.with_suffix(".json").write_text(json.dumps(verdicts, indent=1) + "\n")
     print(given.out)
 
 

@@ -35,7 +35,9 @@ class Claims(unittest.TestCase):
     def folder(self, name, settings=None):
         folder = self.root / name
         folder.mkdir()
-        told = {"database": "x", "tracker": {"k": 20}, "seed": 0, "hand": "", **(settings or {})}
+        told = {"kind": "rendered", "database": "x", "trackers": {"kde": {"k": 20}},
+                "search": "exact", "seed": 0, "fps": None, "hand": "", "grasps": "",
+                **(settings or {})}
         (folder / "eval.json").write_text(json.dumps(told))
         return folder
 
@@ -174,6 +176,7 @@ class Claims(unittest.TestCase):
         one = self.told("--main", main, "--seen-hand", seen)["d1"][1][
             "own hand - the database's", "pose_error"]
         self.assertEqual((0, 11), (one["mean"], one["sequences"]))
+        numpy.testing.assert_allclose(one["sides"], 2 * [errors.mean()])
         self.assertAlmostEqual(0.1 * errors.mean(), one["margin"])
         self.assertIn("left out: s03.", self.markdown)
         nobody = self.evaluation("nobody", {("kde", 0): 1}, names=["other"])
@@ -193,10 +196,18 @@ class Claims(unittest.TestCase):
         other = self.evaluation("other", {("kde", 0): 1}, settings={"database": "y"})
         with self.assertRaisesRegex(SystemExit, "database differs"):
             self.told("--main", main, "--seen-hand", other)
-        held = self.frames("held", {"a": [(1, 0.1, 1)]}, settings={"tracker": {"k": 40}})
+        held = self.frames("held", {"a": [(1, 0.1, 1)]}, settings={"seed": 1})
         free = self.frames("free", {"a": [(1, 0.1, 1)]})
-        with self.assertRaisesRegex(SystemExit, "tracker differs"):
+        with self.assertRaisesRegex(SystemExit, "seed differs"):
             self.told("--main", main, "--held", held, "--free", free)
+
+    def test_rendered_and_photoreal_frames_are_not_taken_for_each_other(self):
+        main = self.evaluation("main", self.models(0, 0))
+        photoreal = self.evaluation("photoreal", self.models(0, 0), settings={"kind": "photoreal"})
+        for arguments in (["--main", photoreal], ["--main", main, "--seen-hand", photoreal],
+                          ["--main", main, "--photoreal", main]):
+            with self.assertRaisesRegex(SystemExit, "frames is asked for"):
+                self.told(*arguments)
 
     def bench(self, p99, width=640):
         file = self.root / "bench.json"
@@ -220,7 +231,7 @@ class Claims(unittest.TestCase):
     def test_photoreal_sequences_are_told_apart(self):
         main = self.evaluation("main", self.models(0.2, 0.4, noisy=0.5))
         photoreal = self.evaluation("photoreal", self.models(-0.2, -0.4), names=NAMES[:5] + [
-            f"p{i}" for i in range(7)])
+            f"p{i}" for i in range(7)], settings={"kind": "photoreal"})
         self.assertEqual("confirmed", self.verdicts("--main", main, "--photoreal", photoreal)["a1"])
         apart = {claim["claim"]: claim["verdict"] for claim in self.json["photoreal"]}
         self.assertEqual({"a1": "refuted", "a2": "undecided", "b": "confirmed"}, apart)
