@@ -119,11 +119,16 @@ class Claims(unittest.TestCase):
         for key in ("mean", "low", "high"):
             self.assertAlmostEqual(-0.02, one[key])
 
-    def test_one_sequence_decides_nothing(self):
-        one = self.evaluation("main", {key: value[0] for key, value in
-                                       self.models(0.2, 0.4).items()}, names=NAMES[:1])
-        self.assertEqual({"a1": "undecided", "a2": "undecided", "b": "undecided"},
-                         self.verdicts("--main", one))
+    def few(self, count):
+        errors = {key: value[:count] for key, value in self.models(0.2, 0.4, noisy=0.5).items()}
+        return self.evaluation(f"few {count}", errors, names=NAMES[:count])
+
+    def test_fewer_than_six_sequences_decide_nothing(self):
+        self.assertEqual({"undecided"}, set(self.verdicts("--main", self.few(5)).values()))
+        self.assertEqual({"confirmed"}, set(self.verdicts("--main", self.few(6)).values()))
+
+    def test_one_sequence_has_no_interval(self):
+        self.assertEqual({"undecided"}, set(self.verdicts("--main", self.few(1)).values()))
         self.assertIn("no interval", self.markdown)
         self.assertIsNone(self.json["claims"][0]["lines"][0]["low"])
 
