@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -232,6 +233,41 @@ TEST_F(Eval, AFolderWithTooFewPhotorealFramesIsRefusedBeforeAnythingIsRun) {
   const Outcome none = run_program(eval + path("set"));
   EXPECT_EQ(none.code, 1);
   EXPECT_THAT(none.err, HasSubstr("name of a sequence"));
+}
+
+TEST_F(Eval, TuneGivesWhatEvalGivesForTheSameOptions) {
+  write_text(path("trackers.jsonl"), R"({"temporal": "none", "neighbours": 7})"
+                                     "\n"
+                                     R"({"temporal": "kde", "bandwidth": 0.3})"
+                                     "\n");
+  const std::string arguments =
+      path("tiny.graspdb") + " --sequences " + path("set/one.seq.toml") + " --alphas 0";
+  const Outcome tuned = run_program("tune " + arguments + " --trackers " + path("trackers.jsonl"));
+  ASSERT_EQ(tuned.code, 0) << tuned.err;
+  std::istringstream lines(tuned.out);
+  for (const char* options : {" -k 7", " --bandwidth 0.3"}) {
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    const json trial = json::parse(line);
+    const json rows =
+        json::parse(run_program("eval " + arguments + options + " --json").out)["rows"];
+    const auto same = std::find_if(rows.begin(), rows.end(), [&](const json& row) {
+      return row["temporal"] == trial["temporal"];
+    });
+    EXPECT_EQ(trial["sequences"]["one"]["pose_error"], (*same)["pose_error"]);
+  }
+}
+
+TEST_F(Eval, TuneRefusesAnOptionThatIsNone) {
+  const std::string tune = "tune " + path("tiny.graspdb") + " --sequences " +
+                           path("set/one.seq.toml") + " --trackers " + path("wrong.jsonl");
+  for (const char* line : {R"({"temporal": "kde", "sigma": 1})", R"({"temporal": "hmm"})",
+                           R"({"temporal": "kde", "kept": 0})", "kde", ""}) {
+    write_text(path("wrong.jsonl"), line);
+    const Outcome refused = run_program(tune);
+    EXPECT_EQ(refused.code, 1) << line;
+    EXPECT_EQ(refused.out, "");
+  }
 }
 
 TEST_F(Eval, AHandThatIsNotThereIsNamedBeforeAnythingIsRun) {
