@@ -40,7 +40,7 @@ void end_loop_on_signals() {
 struct Options {
   std::string database, input, masks, json, video;
   std::string handedness = "right";
-  TrackerSettings tracker;
+  TrackerSettings tracker{.search = "scan"};  // finds nearly the same in less time and memory
   double focal_px = 0;  // 0: guessed
   std::vector<int> roi;
   SkinOptions skin;

@@ -24,6 +24,7 @@ MODELS = {
     "none": {"color": "#E69F00", "marker": "o", "linestyle": ":"},
     "gaussian": {"color": "#0072B2", "marker": "s", "linestyle": "--"},
     "kde": {"color": "#009E73", "marker": "^", "linestyle": "-"},
+    "successors": {"color": "#D55E00", "marker": "D", "linestyle": "-."},
 }
 BASELINES = {"oracle": "-", "constant": "--", "random": ":"}
 PARTS = {  # of the gap to the oracle

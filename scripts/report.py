@@ -77,6 +77,9 @@ class Evaluation:
                              f"{self.json['seed']}")
         return runs
 
+    def options_of(self, temporal):
+        return {**self.json["trackers"][temporal], "search": self.json["search"]}
+
 
 class Tracked:
     """One more run of the tracker: its answers, and the pictures that it draws."""
@@ -165,7 +168,7 @@ def sequence_of(arguments, evaluation, directory):
     header = json.loads((directory / "sequence.json").read_text())
     runs = evaluation.runs_of(directory, header)
     camera = header["camera"]
-    options = evaluation.json["tracker"]
+    options = evaluation.options_of(arguments.temporal)
     tracked = Tracked(arguments, options, directory, (camera["width_px"], camera["height_px"]))
     tracked.check_against(runs[arguments.temporal], directory)
     return {
@@ -189,7 +192,7 @@ def page_of(evaluation, temporal, sequences):
         "temporal": temporal,
         "metrics": [{"name": name, "unit": units[name]} for name in METRICS],
         "database": evaluation.json["database"],
-        "tracker": evaluation.json["tracker"],
+        "tracker": evaluation.options_of(temporal),
         "seed": evaluation.json["seed"],
         "sequences": sequences,
     }
@@ -206,8 +209,9 @@ def main():
     parser.add_argument("--sequences", type=pathlib.Path, nargs="+", required=True,
                         help="folders that graspdb sequence wrote")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the page")
-    parser.add_argument("--temporal", default="kde", choices=("none", "gaussian", "kde"),
-                        help="whose answers are drawn [kde]")
+    parser.add_argument("--temporal", default="successors",
+                        choices=("none", "gaussian", "kde", "successors"),
+                        help="whose answers are drawn [successors]")
     parser.add_argument("--graspdb", default=ROOT / "build/release/cli/graspdb", help="the program")
     arguments = parser.parse_args()
     evaluation = Evaluation(arguments.directory)

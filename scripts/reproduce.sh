@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Makes the database, tracks a set of sequences through segmentation noise, and draws what came out.
+# Makes the databases, tracks a set of sequences through segmentation noise, and draws what came out.
 #   scripts/reproduce.sh [train|test]   train when absent: the test set is for telling, not for choosing
-# Everything lands in out/reproduce/SET: tables (eval.txt), eval.json, frames.csv, runs.csv, plots, the map of
-# confused types, and a page (report.html) on which each sequence plays frame by frame.
+# Everything lands in out/reproduce/SET: tables (eval.txt, photoreal.txt), the paper's claims (claims.md), eval.json,
+# frames.csv, runs.csv, plots, the map of confused types, and a page (report.html) on which each sequence plays
+# frame by frame.
 set -euo pipefail
 set=${1:-train}
 [[ $set =~ ^(train|test)$ ]] || {
@@ -17,17 +18,37 @@ scripts/fetch_hands.sh
 cmake --preset release >/dev/null
 cmake --build --preset release --target graspdb
 graspdb=build/release/cli/graspdb
-out=out/reproduce/$set
+databases=out/reproduce
+out=$databases/$set
 mkdir -p "$out"
+alphas=0,0.25,0.5,1,2,4
+python=/usr/bin/python3
 
-"$graspdb" build --objects both --out out/reproduce/hands.graspdb
-"$graspdb" eval out/reproduce/hands.graspdb --sequences "sequences/$set" --alphas 0,0.25,0.5,1,2,4 --out "$out" |
-    tee "$out/eval.txt"
-/usr/bin/python3 scripts/plot_evaluation.py "$out" --out "$out/plots"
-/usr/bin/python3 scripts/confusability.py out/reproduce/hands.graspdb --out "$out/plots/confusability.png"
+build() { "$graspdb" build --objects "$1" --jitter-forearm 185 --jitter-copies 2 --out "$databases/$2.graspdb"; }
+evaluate() { # DATABASE OUT OPTIONS...
+    "$graspdb" eval "$databases/$1.graspdb" --sequences "sequences/$set" --out "$2" "${@:3}"
+}
+
+build both hands
+build held held
+build free free
+evaluate hands "$out" --alphas "$alphas" | tee "$out/eval.txt"
+evaluate hands "$out/photoreal" --photoreal "sequences/photoreal/$set" --alphas "$alphas" | tee "$out/photoreal.txt"
+$python scripts/plot_evaluation.py "$out" --out "$out/plots"
+$python scripts/plot_evaluation.py "$out/photoreal" --out "$out/plots/photoreal"
+
+# What the claims ask for besides.
+evaluate held "$out/held" --alphas 0 >/dev/null
+evaluate free "$out/free" --alphas 0 >/dev/null
+evaluate hands "$out/seen_hand" --alphas 0 --hand assets/hands/male.glb >/dev/null
+evaluate hands "$out/seen_grasp" --alphas 0 --hand assets/hands/male.glb --grasps grasps >/dev/null
+"$graspdb" bench "$databases/hands.graspdb" --json >"$out/bench.json"
+$python scripts/claims.py --main "$out" --held "$out/held" --free "$out/free" --seen-hand "$out/seen_hand" \
+    --seen-grasp "$out/seen_grasp" --bench "$out/bench.json" --photoreal "$out/photoreal" --out "$out/claims.md"
+
+$python scripts/confusability.py "$databases/held.graspdb" --out "$out/plots/confusability.png"
 for sequence in "sequences/$set"/*.seq.toml; do
     "$graspdb" sequence "$sequence" --alpha 0.5 --out "$out/rendered/$(basename "$sequence" .seq.toml)"
 done
-/usr/bin/python3 scripts/report.py "$out" --db out/reproduce/hands.graspdb --sequences "$out"/rendered/* \
-    --out "$out/report.html"
-echo "tables: $out/eval.txt   plots: $out/plots   page: $out/report.html"
+$python scripts/report.py "$out" --db "$databases/hands.graspdb" --sequences "$out"/rendered/* --out "$out/report.html"
+echo "tables: $out/eval.txt $out/photoreal.txt   claims: $out/claims.md   plots: $out/plots   page: $out/report.html"
