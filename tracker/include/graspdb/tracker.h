@@ -32,7 +32,7 @@ enum class TemporalModel {
 };
 
 inline constexpr std::array kTemporalModels = {TemporalModel::kNone, TemporalModel::kGaussian,
-                                        TemporalModel::kKde, TemporalModel::kSuccessors};
+                                               TemporalModel::kKde, TemporalModel::kSuccessors};
 std::string temporal_name(TemporalModel model);             // "none", "gaussian", ...
 TemporalModel temporal_from_name(const std::string& name);  // throws Error
 
@@ -44,7 +44,7 @@ struct TrackerOptions {
   double sigma_stretch = 0.15;  // of the logarithm of the box's aspect ratio over the row's
   double sigma_pose = 0.5;      // of the pose vector around the previous answer
   double bandwidth = 0.5;       // of the pose vector around each previous hypothesis
-  double max_distance = 6;      // a nearest descriptor further away is no hand
+  double max_distance = 5;      // a nearest descriptor further away is no hand
   bool left_hand = false;       // the frame is mirrored on the way in, the answer on the way out
 };
 
@@ -70,7 +70,8 @@ struct StageTimes {  // milliseconds
 // Without a hand `valid` is false and only box and times mean anything.
 struct Estimate {
   bool valid = false;
-  double confidence = 0;         // 0..1, falls with the distance of the nearest descriptor
+  // How likely the rotation is right to 30 degrees, by the distance of the nearest descriptor.
+  double confidence = 0;
   Box box;                       // of the mask, pixels; empty without one
   std::uint32_t row = 0;         // the heaviest hypothesis
   double distance = 0;           // of the nearest descriptor
