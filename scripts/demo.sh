@@ -22,8 +22,8 @@ graspdb=$build/cli/graspdb
 out=out/demo
 mkdir -p "$out"
 
-# Free rows too, so that empty hands are known.
-"$graspdb" build --objects both --out "$out/hands.graspdb"
+# Free rows too, so that empty hands are known; forearms of any length, as sleeves leave them (docs/tracking.md).
+"$graspdb" build --objects both --jitter-forearm 185 --jitter-copies 2 --out "$out/hands.graspdb"
 "$graspdb" verify "$out/hands.graspdb"
 "$graspdb" grasp sheet --all --out "$out/grasps.png"
 
