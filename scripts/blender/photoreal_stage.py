@@ -33,7 +33,7 @@ class Studio:
         self.sleeve = self.add_sleeve()
         self.object = self.add_object()
         self.held = [thing for thing in (self.hand, self.sleeve_thing(), self.object) if thing]
-        self.room = photoreal_room.build(look, self.rng, self.view())
+        self.room = []
         self.add_lights()
         self.set_cycles()
 
@@ -126,14 +126,13 @@ class Studio:
     def object_pose(self, frame):
         return Matrix([*self.meshes.camera_from_object[frame].tolist(), [0, 0, 0, 1]])
 
-    def show(self, seen, hidden_from_camera=()):
-        """Only `seen` and `hidden_from_camera` are there; the latter still light and shade."""
+    def show(self, seen):
         for thing in [*self.held, *self.room]:
-            thing.hide_render = thing not in seen and thing not in hidden_from_camera
-            thing.visible_camera = thing in seen
+            thing.hide_render = thing not in seen
 
     def plate(self):
         """The room without anybody, height x width x 3, linear."""
+        self.room = self.room or photoreal_room.build(self.look, self.rng, self.view())
         self.show(self.room)
         self.scene.render.film_transparent = False
         self.scene.render.use_border = False
@@ -199,7 +198,6 @@ class Studio:
         self.show(seen)
         for thing in others:
             thing.hide_render = False
-            thing.visible_camera = True
             thing.is_holdout = True
         self.scene.render.film_transparent = True
         self.scene.render.use_border = False
