@@ -13,6 +13,8 @@ namespace {
 
 using Histogram = std::array<double, 256>;
 
+constexpr int kNeutral = 128;  // a* and b* of grey
+
 Histogram histogram_of(const cv::Mat& image) {
   Histogram histogram{};
   for (int y = 0; y < image.rows; ++y) {
@@ -59,14 +61,21 @@ int redness_level(const cv::Mat& redness, const SkinOptions& options) {
     if (higher == level) break;
     level = higher;
   }
-  constexpr int kNeutral = 128;
   return std::max(level, kNeutral + options.min_redness);
 }
 
-cv::Mat red_skin(const cv::Mat& bgr, const SkinOptions& options) {
-  cv::Mat lab, redness;
+// Violet cloth has a high a* too; what is clearly bluer than grey counts as grey.
+cv::Mat redness_of(const cv::Mat& bgr) {
+  constexpr int kBluerThanSkin = kNeutral - 16;
+  cv::Mat lab, channels[3];
   cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
-  cv::extractChannel(lab, redness, 1);
+  cv::split(lab, channels);
+  channels[1].setTo(kNeutral, channels[2] < kBluerThanSkin);
+  return channels[1];
+}
+
+cv::Mat red_skin(const cv::Mat& bgr, const SkinOptions& options) {
+  const cv::Mat redness = redness_of(bgr);
   return redness > redness_level(redness, options);
 }
 

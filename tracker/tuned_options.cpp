@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: MIT
+// Written by scripts/tune.py.
 #include "graspdb/error.h"
 #include "graspdb/tracker.h"
 
 namespace graspdb {
 
 TrackerOptions tuned_options(TemporalModel temporal) {
-  TrackerOptions options{.temporal = temporal};
   switch (temporal) {
     case TemporalModel::kNone:
+      return {.temporal = temporal, .neighbours = 400, .sigma_hog = 1.0, .sigma_stretch = 0.2};
     case TemporalModel::kGaussian:
+      return {.temporal = temporal,
+              .neighbours = 50,
+              .sigma_hog = 2.0,
+              .sigma_stretch = 0.15,
+              .sigma_pose = 0.35};
     case TemporalModel::kKde:
-      return options;
+      return {.temporal = temporal,
+              .neighbours = 50,
+              .kept = 20,
+              .sigma_hog = 2.0,
+              .sigma_stretch = 0.15,
+              .bandwidth = 0.25};
     case TemporalModel::kSuccessors:
-      options.neighbours = 50;
-      options.sigma_stretch = 0.2;
-      options.bandwidth = 0.35;
-      return options;
+      return {.temporal = temporal,
+              .neighbours = 20,
+              .kept = 20,
+              .sigma_hog = 1.0,
+              .sigma_stretch = 0.15,
+              .bandwidth = 0.35};
   }
   GRASPDB_CHECK(false);
 }

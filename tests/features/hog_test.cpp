@@ -79,7 +79,9 @@ TEST_P(EveryMode, SinglePixelsAndThinLinesAreDescribed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hog, EveryMode, ::testing::Values(HogMode::kPaper, HogMode::kEdges),
-                         [](const auto& instance) { return hog_name({instance.param}); });
+                         [](const auto& instance) {
+                           return instance.param == HogMode::kPaper ? "paper" : "edges";
+                         });
 
 }  // namespace
 }  // namespace graspdb

@@ -63,6 +63,12 @@ TEST(SegmentSkin, RednessSplitsAgainWhenTheWallIsReddishToo) {
   EXPECT_EQ(segment_skin(frame), hand_mask());
 }
 
+TEST(SegmentSkin, VioletIsNotRed) {
+  ColorImage frame = frame_of({130, 150, 200}, {200, 205, 205});
+  fill(frame, {130, 10, 60, 130}, Bgr{170, 60, 75});
+  EXPECT_EQ(segment_skin(frame), hand_mask());
+}
+
 TEST(SegmentSkin, AGreyFrameHoldsNoHand) {
   const Mask mask = segment_skin(frame_of({90, 90, 90}, {160, 160, 160}));
   EXPECT_FALSE(largest_region(mask, SkinOptions{}.min_area_px));
