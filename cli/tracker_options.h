@@ -14,7 +14,7 @@ namespace graspdb::cli {
 
 // What is not given is as it was chosen for the temporal model.
 struct TrackerSettings {
-  std::string temporal = "successors";
+  std::string temporal = "kde";
   std::string search = "exact";
   std::optional<int> neighbours, kept;
   std::optional<double> sigma_hog, sigma_stretch, sigma_pose, bandwidth, max_distance;

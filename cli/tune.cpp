@@ -2,8 +2,11 @@
 // Many trackers at once over the same frames: what scripts/tune.py chooses from.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "console.h"
 #include "eval_files.h"
@@ -25,38 +28,41 @@ struct Options {
   std::uint64_t seed = 0;
 };
 
-struct Given {
-  std::string key;
-  double value;
+// What a line may set.
+struct Setting {
+  const char* key;
+  std::variant<int TrackerOptions::*, double TrackerOptions::*> member;
+  double low, high;
 };
+constexpr std::array<Setting, 6> kSettings = {{
+    {"neighbours", &TrackerOptions::neighbours, 1, 1000},
+    {"kept", &TrackerOptions::kept, 1, 1000},
+    {"sigma_hog", &TrackerOptions::sigma_hog, 0.01, 100},
+    {"sigma_stretch", &TrackerOptions::sigma_stretch, 0.01, 100},
+    {"sigma_pose", &TrackerOptions::sigma_pose, 0.01, 100},
+    {"bandwidth", &TrackerOptions::bandwidth, 0.01, 100},
+}};
 
-void set_option(TrackerOptions& options, const Given& given, const std::string& file) {
-  const auto& [key, value] = given;
-  const auto check = [&](double low, double high) {
-    if (value >= low && value <= high) return value;
-    throw Error({file, key, fmt::format("{} to {}", low, high), fmt::format("{}", value)});
-  };
-  if (key == "neighbours") {
-    options.neighbours = static_cast<int>(check(1, 1000));
-  } else if (key == "kept") {
-    options.kept = static_cast<int>(check(1, 1000));
-  } else if (key == "sigma_hog") {
-    options.sigma_hog = check(0.01, 100);
-  } else if (key == "sigma_stretch") {
-    options.sigma_stretch = check(0.01, 100);
-  } else if (key == "sigma_pose") {
-    options.sigma_pose = check(0.01, 100);
-  } else if (key == "bandwidth") {
-    options.bandwidth = check(0.01, 100);
-  } else {
+void set_option(TrackerOptions& options, const std::string& key, double value,
+                const std::string& file) {
+  const auto setting = std::find_if(kSettings.begin(), kSettings.end(),
+                                    [&](const Setting& known) { return key == known.key; });
+  if (setting == kSettings.end())
     throw Error({file, key, "an option of the tracker", "none of that name"});
-  }
+  if (!(value >= setting->low && value <= setting->high))
+    throw Error({file, key, fmt::format("{} to {}", setting->low, setting->high),
+                 fmt::format("{}", value)});
+  std::visit(
+      [&](auto member) {
+        options.*member = static_cast<std::decay_t<decltype(options.*member)>>(value);
+      },
+      setting->member);
 }
 
 TrackerOptions tracker_of(const json& line, const std::string& file) {
   TrackerOptions options = tuned_options(temporal_from_name(line.at("temporal")));
   for (const auto& [key, value] : line.items()) {
-    if (key != "temporal") set_option(options, {key, value.get<double>()}, file);
+    if (key != "temporal") set_option(options, key, value.get<double>(), file);
   }
   return options;
 }

@@ -209,9 +209,9 @@ def main():
     parser.add_argument("--sequences", type=pathlib.Path, nargs="+", required=True,
                         help="folders that graspdb sequence wrote")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the page")
-    parser.add_argument("--temporal", default="successors",
+    parser.add_argument("--temporal", default="kde",
                         choices=("none", "gaussian", "kde", "successors"),
-                        help="whose answers are drawn [successors]")
+                        help="whose answers are drawn [kde]")
     parser.add_argument("--graspdb", default=ROOT / "build/release/cli/graspdb", help="the program")
     arguments = parser.parse_args()
     evaluation = Evaluation(arguments.directory)
