@@ -116,9 +116,10 @@ void clear_before(float cut, float palm_radius, const ArmProfile& arm, const Sma
       if (in_hand.x >= hand.width() || in_hand.y >= hand.height()) continue;
       const cv::Point2d measured((x + 0.5) / small.factor - 0.5, (y + 0.5) / small.factor - 0.5);
       if ((measured - middle).dot(inwards) >= 0) continue;
-      if (arm.way.at<float>(y / small.factor, x / small.factor) < cut + palm_radius) {
-        hand.at(in_hand.x, in_hand.y) = 0;
-      }
+      const cv::Point at(x / small.factor, y / small.factor);
+      const float way = arm.way.at<float>(at);
+      const bool connected = way >= 0 || small.mask.at<std::uint8_t>(at) == 0;  // or a rim of it
+      if (connected && way < cut + palm_radius) hand.at(in_hand.x, in_hand.y) = 0;
     }
   }
 }

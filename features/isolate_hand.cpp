@@ -25,11 +25,32 @@ void smooth(Mask& hand) {
   cv::threshold(votes, image, 127, 255, cv::THRESH_BINARY);
 }
 
+// The object that a hand holds can cut it into pieces. Those of the skin's other regions count that
+// are not too small and no further from the largest than such an object is wide.
+constexpr double kSmallestPiece = 0.02;  // of the largest region's area
+constexpr double kWidestGap = 1;         // in square roots of that area
+
+void add_pieces(const Mask& skin, Mask& hand) {
+  cv::Mat labels, stats, centroids, gap;
+  const int count = cv::connectedComponentsWithStats(as_mat(skin), labels, stats, centroids);
+  if (count <= 2) return;  // the background and one region
+  cv::distanceTransform(as_mat(hand) == 0, gap, cv::DIST_L2, 3);
+  const auto area = static_cast<double>(std::count(hand.begin(), hand.end(), 255));
+  for (int label = 1; label < count; ++label) {
+    if (stats.at<int>(label, cv::CC_STAT_AREA) < kSmallestPiece * area) continue;
+    const cv::Mat piece = labels == label;
+    double nearest = 0;
+    cv::minMaxLoc(gap, &nearest, nullptr, nullptr, nullptr, piece);
+    if (nearest <= kWidestGap * std::sqrt(area)) as_mat(hand).setTo(255, piece);
+  }
+}
+
 }  // namespace
 
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOptions& options) {
   std::optional<Mask> region = largest_region(skin, options.min_area_px, roi);
   if (!region) return {skin.width(), skin.height()};
+  add_pieces(skin, *region);
   smooth(*region);
   if (!has_shape_of_hand(*region)) return {skin.width(), skin.height()};
   return cut_forearm(*region);

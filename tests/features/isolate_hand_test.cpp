@@ -69,6 +69,30 @@ TEST(IsolateHand, AHoleAsLargeAsAnObjectStays) {
   EXPECT_EQ(isolate_hand(mask).at(160, 90), 0);
 }
 
+// The palm and arm with a bar across the palm, as an object before it, and a patch of skin.
+Mask cut_in_two(const Box& patch) {
+  Mask mask = palm_and_arm();
+  for (int y = 60; y < 80; ++y) std::fill_n(mask.row(y), kWidth, std::uint8_t{0});
+  for (int y = patch.y; y < patch.y + patch.height; ++y)
+    std::fill_n(mask.row(y) + patch.x, patch.width, std::uint8_t{255});
+  return mask;
+}
+
+TEST(IsolateHand, AllPiecesThatAnObjectLeavesAreKept) {
+  const Mask hand = isolate_hand(cut_in_two({}));
+  EXPECT_EQ(hand.at(160, 52), 255);
+  EXPECT_EQ(hand.at(160, 70), 0);
+  EXPECT_EQ(hand.at(160, 95), 255);
+  EXPECT_EQ(hand.at(160, kHeight - 5), 0);  // the arm
+}
+
+TEST(IsolateHand, SkinFarAwayAndSpecksAreNoPieces) {
+  const Mask hand = isolate_hand(cut_in_two({0, 0, 30, 30}));
+  EXPECT_EQ(hand.at(15, 15), 0);
+  EXPECT_EQ(hand.at(160, 52), 255);
+  EXPECT_EQ(isolate_hand(cut_in_two({230, 90, 4, 4})).at(231, 91), 0);
+}
+
 TEST(IsolateHand, WhatFillsThePicturesBorderIsNoHand) {
   EXPECT_EQ(area(isolate_hand(Mask(kWidth, kHeight, 255))), 0);
 }

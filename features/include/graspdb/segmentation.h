@@ -44,18 +44,19 @@ std::optional<Mask> largest_region(const Mask& mask, int min_area_px,
 // largest inscribed circle, the palm is the widening after the narrowest place that is not too far
 // from the fingertips; lengths are counted in its radius, about 40 mm, or the arm's. Seen edge-on a
 // palm hardly widens: there the cut may err by 40 mm to either side. A mask that does not touch the
-// border over an arm's width is returned unchanged, as is one that shows no forearm. `hand` is one
-// region.
+// border over an arm's width is returned unchanged, as is one that shows no forearm. What
+// is not connected with the arm stays.
 Mask cut_forearm(const Mask& hand);
 
-// The hand in a mask: the region of largest_region, its edge smoothed, without its forearm. All 0
-// when there is none, or when its outline or its share of the picture's border is none of a hand
-// with its arm.
+// The hand in a mask: the region of largest_region, the pieces near it that an object before the
+// hand has cut off, their edges smoothed, without the forearm. All 0 when there is none, or when
+// its outline or its share of the picture's border is none of a hand with its arm.
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi = {},
                   const SkinOptions& options = {});
 
-// The hand in a frame: segment_skin and isolate_hand. All 0, too, when the region's hue or the
-// spread of its redness is none of skin.
+// The hand in a frame: segment_skin, of it the largest region, and isolate_hand. All 0, too, when
+// the region's hue or the spread of its redness is none of skin. Pieces are not looked for: what is
+// near a hand and of its colour is more often something else.
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi = {},
                const SkinOptions& options = {});
 
