@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <regex>
 
 #include "blender.h"
 #include "graspdb/file.h"
@@ -45,10 +44,6 @@ class Photoreal : public ::testing::Test {
     const SequenceRenderer renderer(two_frames());
     write_meshes(renderer, folder_ / "meshes");
     write_sequence(renderer, folder_ / "seq", {});
-    // One sample a pixel: how it looks is not at stake.
-    const std::string looks = read_text(kSource / "scripts/blender/photoreal.toml");
-    write_text(folder_ / "looks.toml",
-               std::regex_replace(looks, std::regex("samples = [0-9]+"), "samples = 1"));
   }
 
   testing::BlenderOutcome run(std::vector<std::string> options) const {
