@@ -75,7 +75,12 @@ TEST_F(Bench, MemoryIsThatOfTheTrackerAndNotOfTheRenderer) {
   const double now = shown.at("own_mb").get<double>() + shown.at("files_mb").get<double>();
   EXPECT_GE(shown.at("peak_mb").get<double>(), 0.99 * now);
   EXPECT_LT(shown.at("peak_mb").get<double>(), 1.5 * now);
-  EXPECT_NEAR(rendered.at("peak_mb"), shown.at("peak_mb"), 10);
+#ifdef __SANITIZE_ADDRESS__
+  constexpr double kSame = 100;  // the sanitizer keeps what is given back
+#else
+  constexpr double kSame = 10;
+#endif
+  EXPECT_NEAR(rendered.at("peak_mb"), shown.at("peak_mb"), kSame);
 }
 
 TEST_F(Bench, LimitsAreJudgedAndThoseOfAFrameAreForItsSize) {
