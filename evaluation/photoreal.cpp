@@ -20,12 +20,6 @@ bool is_empty(const Mask& mask) {
   return std::all_of(mask.begin(), mask.end(), [](std::uint8_t pixel) { return pixel == 0; });
 }
 
-// The region of skin that find_hand() takes for a hand, all 0 where it finds none.
-Mask skin_region(const ColorImage& frame, const Mask& found) {
-  if (is_empty(found)) return found;
-  return *largest_region(segment_skin(frame), SkinOptions{}.min_area_px);
-}
-
 ColorImage read_frame(const fs::path& file, const Intrinsics& camera) {
   ColorImage color = read_color(file);
   if (color.width() == camera.width && color.height() == camera.height) return color;
@@ -55,10 +49,12 @@ SequenceFrames photoreal_frames(const SequenceRenderer& sequence, const fs::path
   parallel_for(frames.hand.size(), 0, [&](std::size_t i) {
     const fs::path file = folder / frames.name / fmt::format("{:06}.jpg", i);
     const ColorImage color = read_frame(file, frames.camera);
-    const Mask found = find_hand(color);
+    const Mask nothing(color.width(), color.height());
+    const Mask region = find_region(color).value_or(nothing);
+    const Mask found = isolate_hand(region);
     frames.segmentation_iou[i] = mask_iou(found, isolate_hand(frames.hand[i]));
     frames.gray[i] = to_gray(color);
-    frames.hand[i] = skin_region(color, found);
+    frames.hand[i] = is_empty(found) ? nothing : region;
   });
   return frames;
 }

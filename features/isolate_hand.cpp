@@ -45,22 +45,34 @@ void add_pieces(const Mask& skin, Mask& hand) {
   }
 }
 
+// Nothing is left of a region that has not the shape of a hand with its arm.
+Mask hand_in(Mask region) {
+  smooth(region);
+  if (!has_shape_of_hand(region)) return {region.width(), region.height()};
+  return cut_forearm(region);
+}
+
 }  // namespace
 
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOptions& options) {
   std::optional<Mask> region = largest_region(skin, options.min_area_px, roi);
   if (!region) return {skin.width(), skin.height()};
   add_pieces(skin, *region);
-  smooth(*region);
-  if (!has_shape_of_hand(*region)) return {skin.width(), skin.height()};
-  return cut_forearm(*region);
+  return hand_in(std::move(*region));
+}
+
+std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi,
+                                const SkinOptions& options) {
+  std::optional<Mask> region =
+      largest_region(segment_skin(frame, options), options.min_area_px, roi);
+  if (region && !has_color_of_skin(frame, *region)) region.reset();
+  return region;
 }
 
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi, const SkinOptions& options) {
-  const Mask skin = segment_skin(frame, options);
-  const std::optional<Mask> region = largest_region(skin, options.min_area_px, roi);
-  if (!region || !has_color_of_skin(frame, *region)) return {frame.width(), frame.height()};
-  return isolate_hand(*region, roi, options);
+  std::optional<Mask> region = find_region(frame, roi, options);
+  if (!region) return {frame.width(), frame.height()};
+  return hand_in(std::move(*region));
 }
 
 }  // namespace graspdb

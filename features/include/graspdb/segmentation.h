@@ -54,9 +54,13 @@ Mask cut_forearm(const Mask& hand);
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi = {},
                   const SkinOptions& options = {});
 
-// The hand in a frame: segment_skin, of it the largest region, and isolate_hand. All 0, too, when
-// the region's hue or the spread of its redness is none of skin. Pieces are not looked for: what is
-// near a hand and of its colour is more often something else.
+// The largest region of segment_skin; none when there is none, or when its hue or the spread of its
+// redness is none of skin.
+std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi = {},
+                                const SkinOptions& options = {});
+
+// The hand in a frame: that region as isolate_hand takes a mask's. All 0 when there is none. Pieces
+// are not looked for: what is near a hand and of its colour is more often something else.
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi = {},
                const SkinOptions& options = {});
 
