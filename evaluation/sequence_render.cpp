@@ -161,22 +161,19 @@ Keyframe SequenceRenderer::key(int frame) const {
                      spec_.keyframes.front().time + frame / spec_.frames_per_second);
 }
 
-FrameGeometry SequenceRenderer::geometry(int frame) const {
-  const Keyframe now = key(frame);
-  FrameGeometry geometry{.pose = pose(now), .towards_light = now.towards_light};
-  geometry.camera_from_hand.rotation = camera_from_view(now.view);
+FrameGeometry SequenceRenderer::geometry(const Keyframe& key) const {
+  FrameGeometry geometry{.pose = pose(key), .towards_light = key.towards_light};
+  geometry.camera_from_hand.rotation = camera_from_view(key.view);
   geometry.camera_from_hand.translation =
-      now.palm -
+      key.palm -
       geometry.camera_from_hand.rotation * palm_centre(hand_.skeleton, geometry.pose.angles);
   return geometry;
 }
 
-FrameTruth SequenceRenderer::truth(int frame) const {
-  const Keyframe now = key(frame);
-  const FrameGeometry geometry = this->geometry(frame);
+FrameTruth SequenceRenderer::truth(const Keyframe& key, const FrameGeometry& geometry) const {
   FrameTruth truth;
-  truth.time = now.time;
-  truth.closure = now.closure;
+  truth.time = key.time;
+  truth.closure = key.closure;
   truth.angles = geometry.pose.angles;
   truth.camera_from_hand = geometry.camera_from_hand.rotation;
   truth.wrist = geometry.camera_from_hand.translation;
@@ -186,10 +183,20 @@ FrameTruth SequenceRenderer::truth(int frame) const {
   return truth;
 }
 
+FrameGeometry SequenceRenderer::geometry(int frame) const {
+  return geometry(key(frame));
+}
+
+FrameTruth SequenceRenderer::truth(int frame) const {
+  const Keyframe now = key(frame);
+  return truth(now, geometry(now));
+}
+
 SequenceFrame SequenceRenderer::render(int frame) const {
   SequenceFrame result;
-  result.truth = truth(frame);
-  const FrameGeometry geometry = this->geometry(frame);
+  const Keyframe now = key(frame);
+  const FrameGeometry geometry = this->geometry(now);
+  result.truth = truth(now, geometry);
   const Solid* object = spec_.object_visible ? spec_.grasp.object.get() : nullptr;
   const PosedScene posed = pose_scene(hand_, geometry.pose, object);
   const Camera camera{spec_.camera, geometry.camera_from_hand};

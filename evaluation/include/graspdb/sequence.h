@@ -123,6 +123,8 @@ class SequenceRenderer {
 
  private:
   Keyframe key(int frame) const;
+  FrameGeometry geometry(const Keyframe& key) const;
+  FrameTruth truth(const Keyframe& key, const FrameGeometry& geometry) const;
   GraspPose pose(const Keyframe& key) const;
 
   SequenceSpec spec_;
