@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/pose_vector.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "graspdb/transform.h"
 
 namespace graspdb {
@@ -10,6 +13,10 @@ PoseVector pose_vector(const Eigen::Matrix3d& camera_from_hand, const JointAngle
   for (int i = 0; i < 9; ++i) x[i] = camera_from_hand(i / 3, i % 3);
   x.tail<kAngleCount>() = angles.array().sin();
   return x;
+}
+
+bool is_finite(std::span<const float, kLabelSize> label) {
+  return std::all_of(label.begin(), label.end(), [](float value) { return std::isfinite(value); });
 }
 
 Eigen::Matrix3d label_rotation(std::span<const float, kLabelSize> label) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "graspdb/error.h"
@@ -22,7 +21,7 @@ std::vector<Eigen::Matrix3d> view_rotations(const Database& database) {
   const auto views = static_cast<std::uint32_t>(database.info().views);
   for (std::uint32_t row = 0; row < views; ++row) {
     const auto label = database.label(row);
-    if (!std::all_of(label.begin(), label.end(), [](float v) { return std::isfinite(v); }))
+    if (!is_finite(label))
       throw Error({database.path().string(), fmt::format("row {}", row), "finite labels",
                    "an altered row: see `graspdb verify`"});
     rotations.push_back(label_rotation(label));

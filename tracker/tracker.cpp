@@ -122,13 +122,10 @@ std::vector<Neighbor> Tracker::neighbours_of(const Descriptor& query) const {
 
 // Opening a database checks its header only; what is used of its content is checked here.
 void Tracker::check_row(std::uint32_t row) const {
-  const auto label = database_.label(row);
-  const bool finite =
-      std::all_of(label.begin(), label.end(), [](float v) { return std::isfinite(v); });
   const DatabaseInfo& info = database_.info();
   const bool known =
       database_.hand(row) < info.hands.size() && database_.variant(row) < info.variants.size();
-  if (finite && known) return;
+  if (is_finite(database_.label(row)) && known) return;
   throw Error({database_.path().string(), fmt::format("row {}", row),
                "finite labels, a hand and a variant of the header",
                "an altered row: see `graspdb verify`"});

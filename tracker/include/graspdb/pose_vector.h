@@ -16,6 +16,9 @@ using PoseVector = Eigen::Matrix<double, 9 + kAngleCount, 1>;
 
 PoseVector pose_vector(const Eigen::Matrix3d& camera_from_hand, const JointAngles& angles);
 
+// Opening a database does not check its content: an altered label may hold anything.
+bool is_finite(std::span<const float, kLabelSize> label);
+
 // The two halves of a row's label.
 Eigen::Matrix3d label_rotation(std::span<const float, kLabelSize> label);  // camera_from_hand
 JointAngles label_angles(std::span<const float, kLabelSize> label);
