@@ -50,16 +50,6 @@ void count_far_grasps(SequenceEvaluation& result) {
   }
 }
 
-double mean_of_numbers(const std::vector<double>& values) {
-  double sum = 0, count = 0;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    sum += value;
-    ++count;
-  }
-  return count > 0 ? sum / count : std::nan("");
-}
-
 std::vector<Runner> runners(const Stage& stage, const Search& search) {
   std::vector<Runner> all;
   for (const TrackerOptions& tracker : stage.options.trackers)

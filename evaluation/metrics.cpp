@@ -78,13 +78,9 @@ void compare_grasps(const GraspWeights& grasps, int type, FrameErrors& errors) {
 }
 
 double mean_where_it_applies(const std::vector<FrameErrors>& frames, std::size_t metric) {
-  double sum = 0, count = 0;
-  for (const FrameErrors& frame : frames) {
-    if (std::isnan(frame[metric])) continue;
-    sum += frame[metric];
-    ++count;
-  }
-  return count > 0 ? sum / count : kNan;
+  std::vector<double> errors;
+  for (const FrameErrors& frame : frames) errors.push_back(frame[metric]);
+  return mean_of_numbers(errors);
 }
 
 }  // namespace
@@ -192,6 +188,16 @@ double jitter_mm(const std::vector<Keypoints>& estimates, const std::vector<Keyp
   }
   const double joints = kKeypointCount - 1;  // the wrists are together
   return 1000 * std::sqrt(sum / (joints * static_cast<double>(truth.size() - 2)));
+}
+
+double mean_of_numbers(const std::vector<double>& values) {
+  double sum = 0, count = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += value;
+    ++count;
+  }
+  return count > 0 ? sum / count : kNan;
 }
 
 double percentile(const std::vector<double>& ascending, std::size_t percent) {

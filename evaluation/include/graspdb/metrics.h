@@ -100,6 +100,9 @@ double jitter_mm(const std::vector<Keypoints>& estimates, const std::vector<Keyp
 // (nearest rank), 1 to 100; NaN for no values.
 double percentile(const std::vector<double>& ascending, std::size_t percent);
 
+// The mean of those that are numbers; NaN when none is.
+double mean_of_numbers(const std::vector<double>& values);
+
 struct Spread {
   double mean = 0, median = 0, p90 = 0;
 };
