@@ -26,9 +26,20 @@ void smooth(Mask& hand) {
 }
 
 // The object that a hand holds can cut it into pieces. Those of the skin's other regions count that
-// are not too small and no further from the largest than such an object is wide.
-constexpr double kSmallestPiece = 0.02;  // of the largest region's area
-constexpr double kWidestGap = 1;         // in square roots of that area
+// are more than specks and no further from the largest, which may show but half of the hand, than a
+// hand is long. What comes in from the picture's border is another arm.
+constexpr double kSmallestPiece = 0.005;  // of the largest region's area
+constexpr double kWidestGap = 3;          // in square roots of that area
+
+bool touches_border(const Box& box, const Mask& mask) {
+  return box.x == 0 || box.y == 0 || box.x + box.width == mask.width() ||
+         box.y + box.height == mask.height();
+}
+
+Box box_of(const cv::Mat& stats, int label) {
+  return {stats.at<int>(label, cv::CC_STAT_LEFT), stats.at<int>(label, cv::CC_STAT_TOP),
+          stats.at<int>(label, cv::CC_STAT_WIDTH), stats.at<int>(label, cv::CC_STAT_HEIGHT)};
+}
 
 void add_pieces(const Mask& skin, Mask& hand) {
   cv::Mat labels, stats, centroids, gap;
@@ -38,6 +49,7 @@ void add_pieces(const Mask& skin, Mask& hand) {
   const auto area = static_cast<double>(std::count(hand.begin(), hand.end(), 255));
   for (int label = 1; label < count; ++label) {
     if (stats.at<int>(label, cv::CC_STAT_AREA) < kSmallestPiece * area) continue;
+    if (touches_border(box_of(stats, label), hand)) continue;
     const cv::Mat piece = labels == label;
     double nearest = 0;
     cv::minMaxLoc(gap, &nearest, nullptr, nullptr, nullptr, piece);

@@ -86,11 +86,24 @@ TEST(IsolateHand, AllPiecesThatAnObjectLeavesAreKept) {
   EXPECT_EQ(hand.at(160, kHeight - 5), 0);  // the arm
 }
 
-TEST(IsolateHand, SkinFarAwayAndSpecksAreNoPieces) {
-  const Mask hand = isolate_hand(cut_in_two({0, 0, 30, 30}));
-  EXPECT_EQ(hand.at(15, 15), 0);
+TEST(IsolateHand, PiecesAroundALargeObjectAreKept) {
+  EXPECT_EQ(isolate_hand(cut_in_two({270, 40, 20, 20})).at(280, 50), 255);
+}
+
+TEST(IsolateHand, WhatComesInFromTheBorderIsNoPiece) {
+  const Mask hand = isolate_hand(cut_in_two({270, 0, 20, 60}));
+  EXPECT_EQ(hand.at(280, 50), 0);
   EXPECT_EQ(hand.at(160, 52), 255);
-  EXPECT_EQ(isolate_hand(cut_in_two({230, 90, 4, 4})).at(231, 91), 0);
+}
+
+TEST(IsolateHand, SpecksAndSkinFarAwayAreNoPieces) {
+  EXPECT_EQ(isolate_hand(cut_in_two({230, 90, 2, 2})).at(231, 91), 0);
+  Mask wide(4 * kWidth, kHeight);
+  const Mask near = cut_in_two({});
+  for (int y = 0; y < kHeight; ++y) std::copy_n(near.row(y), kWidth, wide.row(y));
+  for (int y = 80; y < 120; ++y) std::fill_n(wide.row(y) + 3 * kWidth, 40, std::uint8_t{255});
+  EXPECT_EQ(isolate_hand(wide).at(3 * kWidth + 20, 100), 0);
+  EXPECT_EQ(isolate_hand(wide).at(160, 52), 255);
 }
 
 TEST(IsolateHand, WhatFillsThePicturesBorderIsNoHand) {
