@@ -68,6 +68,7 @@ void frame_line(Csv& csv, const SequenceEvaluation& sequence, const EvalRun& run
   csv.cell(truth.time);
   csv.cell(frame.valid);
   csv.cell(frame.confidence);
+  csv.cell(frame.valid ? frame.distance : std::nan(""));
   csv.cell(truth.closure);
   csv.cell(sequence.occlusion[i]);
   csv.cell(frame.box_height_px);
@@ -122,9 +123,10 @@ void run_line(Csv& csv, const SequenceEvaluation& sequence, const EvalRun& run) 
 
 std::string frames_csv(const EvalReport& report) {
   Csv csv;
-  std::vector<std::string> names = {
-      "sequence",   "kind",    "temporal",  "alpha",         "frame", "time_s", "valid",
-      "confidence", "closure", "occlusion", "box_height_px", "row",   "grasp",  "grasp_type"};
+  std::vector<std::string> names = {"sequence", "kind",    "temporal",  "alpha",
+                                    "frame",    "time_s",  "valid",     "confidence",
+                                    "distance", "closure", "occlusion", "box_height_px",
+                                    "row",      "grasp",   "grasp_type"};
   add_names(names, "", kMetricCount);
   add_names(names, "oracle_", kMetricCount);
   csv.line(names);

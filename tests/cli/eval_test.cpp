@@ -147,6 +147,7 @@ TEST_F(Eval, FramesAreALineEachAndAddUpToTheRun) {
     EXPECT_EQ(frames[i].at("frame"), std::to_string(i));
     EXPECT_LE(std::stod(frames[i].at("oracle_pose_error")),
               std::stod(frames[i].at("pose_error")) + 0.2);
+    EXPECT_EQ(frames[i].at("distance").empty(), frames[i].at("valid") == "0");
     sum += std::stod(frames[i].at("pose_error"));
   }
   EXPECT_NEAR(std::stod(runs[0].at("pose_error")), sum / 14, 1e-5);
