@@ -19,9 +19,9 @@ import subprocess
 import tempfile
 
 PLACES = {
-    "neighbours": (20, 50, 100, 200, 400),
-    "kept": (20, 50, 100),
-    "sigma_hog": (0.5, 0.7, 1.0, 1.4, 2.0),
+    "neighbours": (10, 20, 50, 100, 200, 400),
+    "kept": (5, 10, 20, 50, 100),
+    "sigma_hog": (0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0),
     "sigma_stretch": (0.1, 0.15, 0.2, 0.3, 0.5),
     "sigma_pose": (0.2, 0.25, 0.35, 0.5, 0.7),
     "bandwidth": (0.2, 0.25, 0.35, 0.5, 0.7),
