@@ -36,6 +36,7 @@ OPTIONS = {  # those that a model reads
 START = {"neighbours": 50, "kept": 20, "sigma_hog": 1.0, "sigma_stretch": 0.2, "sigma_pose": 0.35,
          "bandwidth": 0.35}
 ROUNDS = 5
+COLUMNS = 100  # of .clang-format
 HEADER = """// SPDX-License-Identifier: MIT
 // Written by scripts/tune.py.
 #include "graspdb/error.h"
@@ -122,14 +123,22 @@ def least(model, trials, known):
     return min(of_model, key=lambda trial: error(known, trial))
 
 
+def statement(model, trial):
+    """As clang-format has it: all in one line, or each in its own."""
+    fields = [".temporal = temporal"]
+    fields += [f".{option} = {trial[option]}" for option in PLACES if option in OPTIONS[model]]
+    begin = "      return {"
+    line = begin + ", ".join(fields) + "};"
+    if len(line) > COLUMNS:
+        line = begin + (",\n" + len(begin) * " ").join(fields) + "};"
+    return line + "\n"
+
+
 def source(best):
     """The text of tracker/tuned_options.cpp."""
-    cases = []
-    for model, trial in best.items():
-        fields = [f".{option} = {trial[option]}" for option in PLACES if option in OPTIONS[model]]
-        cases.append(f"    case TemporalModel::k{model.capitalize()}:\n      return {{"
-                     + ",\n              ".join([".temporal = temporal"] + fields) + "};\n")
-    return HEADER + "".join(cases) + FOOTER
+    return HEADER + "".join(
+        f"    case TemporalModel::k{model.capitalize()}:\n" + statement(model, trial)
+        for model, trial in best.items()) + FOOTER
 
 
 def table(best, measured):

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Options are found where the error is least, each trial measured once, and written as C++."""
+import re
+import shutil
+import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -9,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 # pylint: disable=wrong-import-position
 import tune
 
+WRITTEN = Path(__file__).resolve().parents[2] / "tracker/tuned_options.cpp"
 LEAST = {"neighbours": 200, "kept": 100, "sigma_hog": 0.7, "sigma_stretch": 0.5, "sigma_pose": 0.25,
          "bandwidth": 0.7}
 
@@ -52,6 +56,31 @@ class Tune(unittest.TestCase):
         self.assertIn(".neighbours = 50", none)
         self.assertNotIn("sigma_pose", none)
         self.assertIn(".sigma_pose = 0.35", gaussian)
+
+    def chosen(self):
+        """What tuned_options.cpp holds, as source() was given it."""
+        best = {}
+        for case in WRITTEN.read_text().split("case TemporalModel::k")[1:]:
+            model = case.split(":")[0].lower()
+            best[model] = {name: float(value) if "." in value else int(value)
+                           for name, value in re.findall(r"\.(\w+) = ([\d.]+)", case)}
+        return best
+
+    def test_the_file_that_is_there_is_what_it_would_write(self):
+        self.assertEqual(tune.source(self.chosen()), WRITTEN.read_text())
+
+    @unittest.skipUnless(shutil.which("clang-format"), "no clang-format")
+    def test_leaves_nothing_to_clang_format(self):
+        def written(value):
+            return len(str(value))
+        for which in (min, max):  # the shortest lines that can be chosen, and the longest
+            text = tune.source({model: {option: which(tune.PLACES[option], key=written)
+                                        for option in options}
+                                for model, options in tune.OPTIONS.items()})
+            formatted = subprocess.run(
+                ["clang-format", f"--assume-filename={WRITTEN}"], input=text, text=True,
+                stdout=subprocess.PIPE, check=True).stdout
+            self.assertEqual(text, formatted)
 
     def test_every_model_of_the_tracker_is_chosen_for(self):
         header = Path(__file__).resolve().parents[2] / "tracker/include/graspdb/tracker.h"
