@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "bench_tracker.h"
 #include "console.h"
 #include "graspdb/metrics.h"
 #include "graspdb/search.h"
+#include "graspdb/stopwatch.h"
 #include "held_out_queries.h"
 #include "verbs.h"
 
@@ -25,10 +25,9 @@ struct Options {
 Spread time_ms(const Search& search, const std::vector<Descriptor>& queries, int k) {
   std::vector<double> ms;
   for (const Descriptor& query : queries) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     search.nearest(query, k);
-    ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-                     .count());
+    ms.push_back(watch.ms());
   }
   return spread(std::move(ms));
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <opencv2/highgui.hpp>
 
@@ -13,6 +12,7 @@
 #include "graspdb/file.h"
 #include "graspdb/hog.h"
 #include "graspdb/segmentation.h"
+#include "graspdb/stopwatch.h"
 #include "overlay.h"
 #include "report.h"
 #include "row_picture.h"
@@ -41,7 +41,7 @@ struct Options {
   std::string database, input, masks, json, video;
   std::string handedness = "right";
   TrackerSettings tracker{.search = "scan"};  // finds nearly the same in less time and memory
-  double focal_px = 0;  // 0: guessed
+  double focal_px = 0;                        // 0: guessed
   std::vector<int> roi;
   SkinOptions skin;
   bool show = false;
@@ -117,17 +117,13 @@ class Run {
   }
 
   void one_frame(const InputFrame& frame) {
-    const auto begin = std::chrono::steady_clock::now();
-    const auto since_begin = [&begin] {
-      return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-          .count();
-    };
+    const Stopwatch watch;
     const GrayImage gray = to_gray(frame.color);
     const Mask hand =
         frame.mask ? isolate_hand(*frame.mask, roi_) : find_hand(frame.color, roi_, options_.skin);
-    const double segment_ms = since_begin();
+    const double segment_ms = watch.ms();
     const Estimate estimate = tracker_.step({gray, hand, *camera_});
-    const double total_ms = since_begin();
+    const double total_ms = watch.ms();
     statistics_.add(estimate, segment_ms, total_ms);
     if (json_) json_->write(to_json_line(frame, estimate, database_, segment_ms, total_ms) + "\n");
     if (row_picture_) draw(frame, gray, hand, estimate);

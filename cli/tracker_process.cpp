@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstdint>
 #include <ctime>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/segmentation.h"
+#include "graspdb/stopwatch.h"
 #include "graspdb/tracker.h"
 #include "verbs.h"
 
@@ -94,17 +94,6 @@ std::optional<ColorImage> receive_frame(int socket) {
   receive_bytes(socket, frame.data(), frame.size() * sizeof(Bgr));
   return frame;
 }
-
-class Stopwatch {
- public:
-  double ms() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_)
-        .count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 double processor_ms() {
   timespec time{};

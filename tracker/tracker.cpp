@@ -4,30 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "graspdb/error.h"
 #include "graspdb/hog.h"
+#include "graspdb/stopwatch.h"
 #include "mirror.h"
 #include "placement.h"
 #include "successors.h"
 
 namespace graspdb {
 namespace {
-
-class Stopwatch {
- public:
-  double lap_ms() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double, std::milli> taken = now - last_;
-    last_ = now;
-    return taken.count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // A box twice as wide for its height as the row's shows no hand in the row's pose.
 constexpr double kNearestJoint = 0.02;  // metres before the camera
