@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "console.h"
+#include "eval_files.h"
 #include "frame_source.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
@@ -129,11 +130,14 @@ void print(const TrackerFigures& figures) {
     fmt::print("  {:18} {:8.3f} {:8.3f} {:8.3f}\n", kStages[i].name, ms.p50, ms.p95, ms.p99);
   }
   const ResidentMemory& memory = figures.memory;
-  fmt::print(
-      "  hand read in {:.0f} % of the frames; opening: database {:.2f} ms, search {:.0f} ms\n",
-      100 * figures.valid, figures.opening.database_ms, figures.opening.search_ms);
+  const Opening& opening = figures.opening;
+  fmt::print("  hand read in {:.0f} % of the frames, temporal model {}, {} neighbours\n",
+             100 * figures.valid, temporal_name(opening.tracker.temporal),
+             opening.tracker.neighbours);
+  fmt::print("  opening: database {:.2f} ms, search {:.0f} ms\n", opening.database_ms,
+             opening.search_ms);
   fmt::print("  resident: {:.0f} MB at most, {:.0f} MB before anything was opened\n",
-             megabytes(memory.peak), megabytes(figures.opening.before.peak));
+             megabytes(memory.peak), megabytes(opening.before.peak));
   fmt::print("            in the end {:.0f} MB of its own, {:.0f} MB of mapped files\n",
              megabytes(memory.own), megabytes(memory.files));
 }
@@ -157,6 +161,8 @@ json to_json(const Limit& limit) {
 
 json to_json(const TrackerBench& bench, const TrackerFigures& figures) {
   json line = {{"search", figures.search},
+               {"temporal", temporal_name(figures.opening.tracker.temporal)},
+               {"options", options_json(figures.opening.tracker)},
                {"open_database_ms", figures.opening.database_ms},
                {"open_search_ms", figures.opening.search_ms},
                {"valid", figures.valid},

@@ -89,8 +89,7 @@ class Run {
 
  private:
   TrackerOptions tracker_options() const {
-    TrackerOptions settings =
-        options_.tracker.options(temporal_from_name(options_.tracker.temporal));
+    TrackerOptions settings = options_.tracker.options();
     settings.left_hand = options_.handedness == "left";
     return settings;
   }

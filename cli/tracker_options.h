@@ -33,6 +33,7 @@ struct TrackerSettings {
     set(max_distance, options.max_distance);
     return options;
   }
+  TrackerOptions options() const { return options(temporal_from_name(temporal)); }
 };
 
 // One value for all models, or each model's own: "20", "none 20, gaussian 20, ...".

@@ -21,7 +21,7 @@
 #include "graspdb/file.h"
 #include "graspdb/segmentation.h"
 #include "graspdb/stopwatch.h"
-#include "graspdb/tracker.h"
+#include "tracker_options.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
@@ -128,14 +128,14 @@ StepTimes timed_step(Tracker& tracker, const ColorImage& frame) {
 }
 
 void serve(int socket, const std::string& file, const std::string& method) {
-  Opening opening{.before = resident_memory()};
+  Opening opening{.before = resident_memory(), .tracker = TrackerSettings{}.options()};
   const Stopwatch watch;
   const Database database = Database::open(file);
   opening.database_ms = watch.ms();
   const auto search = open_search(database, method);
   opening.search_ms = watch.ms() - opening.database_ms;
   send_answer(socket, opening);
-  Tracker tracker(database, *search, {});
+  Tracker tracker(database, *search, opening.tracker);
   while (const auto frame = receive_frame(socket)) send_answer(socket, timed_step(tracker, *frame));
   send_answer(socket, resident_memory());
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "graspdb/image.h"
+#include "graspdb/tracker.h"
 
 namespace graspdb::cli {
 
@@ -26,6 +27,7 @@ struct ResidentMemory {  // bytes
 struct Opening {
   ResidentMemory before;  // of the program as it starts, with all of its libraries
   double database_ms = 0, search_ms = 0;
+  TrackerOptions tracker;  // what frames are read with: the defaults of `track`
 };
 
 // Answers one call at a time; a failure over there is thrown here, as an Error. Not thread-safe.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "graspdb/image_io.h"
+#include "graspdb/tracker.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 
@@ -67,6 +68,16 @@ TEST_F(Bench, EveryStageHasItsPercentilesAndTheyAddUp) {
   }
 }
 
+TEST_F(Bench, FramesAreReadWithTheDefaultsOfTrack) {
+  const TrackerOptions tuned = tuned_options(TemporalModel::kKde);
+  for (const json& one : tracker("--frames 2 --video " + path("small")).at("trackers")) {
+    EXPECT_EQ(one.at("temporal"), "kde");
+    EXPECT_EQ(one.at("options").at("neighbours"), tuned.neighbours);
+    EXPECT_EQ(one.at("options").at("sigma_hog"), tuned.sigma_hog);
+    EXPECT_EQ(one.at("options").at("bandwidth"), tuned.bandwidth);
+  }
+}
+
 TEST_F(Bench, MemoryIsThatOfTheTrackerAndNotOfTheRenderer) {
   const json shown = tracker("--frames 2 --video " + path("large")).at("trackers").at(0);
   const json rendered = tracker("--frames 2").at("trackers").at(0);
@@ -94,7 +105,7 @@ TEST_F(Bench, LimitsAreJudgedAndThoseOfAFrameAreForItsSize) {
   }
   const Outcome table = run("--frames 2 --video " + path("large"));
   for (const char* text : {"p99", "temporal", "resident", "exact: peak memory, MB", "must", "aim",
-                           "scan: a frame, p99, ms", "recall"})
+                           "scan: a frame, p99, ms", "recall", "temporal model kde"})
     EXPECT_THAT(table.out, HasSubstr(text));
 }
 
