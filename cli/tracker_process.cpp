@@ -134,8 +134,8 @@ void serve(int socket, const std::string& file, const std::string& method) {
   opening.database_ms = watch.ms();
   const auto search = open_search(database, method);
   opening.search_ms = watch.ms() - opening.database_ms;
-  send_answer(socket, opening);
   Tracker tracker(database, *search, opening.tracker);
+  send_answer(socket, opening);  // after all that may fail: a fault can only be an answer
   while (const auto frame = receive_frame(socket)) send_answer(socket, timed_step(tracker, *frame));
   send_answer(socket, resident_memory());
 }

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "database/sealed_file.h"
+#include "graspdb/file.h"
 #include "graspdb/image_io.h"
 #include "graspdb/tracker.h"
 #include "program.h"
@@ -15,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::Outcome;
@@ -128,6 +131,17 @@ TEST_F(Bench, WhatFailsInTheTrackersProcessIsToldOnce) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_EQ(testing::lines_of(outcome.err), 1) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("broken.graspdb.lsh"));
+}
+
+TEST_F(Bench, ADatabaseThatTheTrackerRefusesIsNamed) {
+  testing::FileParts parts = testing::take_apart(read_text(path("tiny.graspdb")));
+  parts.header = testing::replaced(parts.header, R"("hog":"soft-edges")", R"("hog":"hard-edges")");
+  write_text(path("foreign.graspdb"), testing::sealed(parts));
+  const Outcome outcome = run_program("bench --queries 2 -k 2 --frames 2 --video " + path("small") +
+                                      " " + path("foreign.graspdb"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(testing::lines_of(outcome.err), 1) << outcome.err;
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("foreign.graspdb"), HasSubstr("hard-edges")));
 }
 
 TEST_F(Bench, AVideoThatCannotBeReadIsNamed) {
