@@ -12,13 +12,13 @@
 #include <thread>
 
 #include "console.h"
-#include "eval_files.h"
 #include "frame_source.h"
 #include "graspdb/error.h"
 #include "graspdb/file.h"
 #include "graspdb/metrics.h"
 #include "graspdb/parallel.h"
 #include "graspdb/sequence.h"
+#include "tracker_options.h"
 
 namespace graspdb::cli {
 namespace {

@@ -19,6 +19,5 @@ nlohmann::json eval_json(
     const EvalReport& report);  // {rows, set, metrics}; what does not apply is null
 std::string frames_csv(const EvalReport& report);  // a line a frame, model and alpha
 std::string runs_csv(const EvalReport& report);    // a line a run
-nlohmann::json options_json(const TrackerOptions& options);
 
 }  // namespace graspdb::cli

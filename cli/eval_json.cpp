@@ -151,11 +151,4 @@ json eval_json(const EvalReport& report) {
           {"metrics", metric_table()}};
 }
 
-json options_json(const TrackerOptions& options) {
-  return {{"neighbours", options.neighbours},    {"kept", options.kept},
-          {"sigma_hog", options.sigma_hog},      {"sigma_stretch", options.sigma_stretch},
-          {"sigma_pose", options.sigma_pose},    {"bandwidth", options.bandwidth},
-          {"max_distance", options.max_distance}};
-}
-
 }  // namespace graspdb::cli

@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <variant>
 
 #include "console.h"
-#include "eval_files.h"
 #include "graspdb/error.h"
 #include "report.h"
 #include "sequence_set.h"
@@ -28,35 +25,25 @@ struct Options {
   std::uint64_t seed = 0;
 };
 
-// What a line may set.
-struct Setting {
-  const char* key;
-  std::variant<int TrackerOptions::*, double TrackerOptions::*> member;
-  double low, high;
-};
-constexpr std::array<Setting, 6> kSettings = {{
-    {"neighbours", &TrackerOptions::neighbours, 1, 1000},
-    {"kept", &TrackerOptions::kept, 1, 1000},
-    {"sigma_hog", &TrackerOptions::sigma_hog, 0.01, 100},
-    {"sigma_stretch", &TrackerOptions::sigma_stretch, 0.01, 100},
-    {"sigma_pose", &TrackerOptions::sigma_pose, 0.01, 100},
-    {"bandwidth", &TrackerOptions::bandwidth, 0.01, 100},
-}};
-
 void set_option(TrackerOptions& options, const std::string& key, double value,
                 const std::string& file) {
-  const auto setting = std::find_if(kSettings.begin(), kSettings.end(),
-                                    [&](const Setting& known) { return key == known.key; });
-  if (setting == kSettings.end())
+  const auto number =
+      std::find_if(kTrackerNumbers.begin(), kTrackerNumbers.end(),
+                   [&](const TrackerNumber& known) { return known.tuned && key == known.key; });
+  if (number == kTrackerNumbers.end())
     throw Error({file, key, "an option of the tracker", "none of that name"});
-  if (!(value >= setting->low && value <= setting->high))
-    throw Error({file, key, fmt::format("{} to {}", setting->low, setting->high),
-                 fmt::format("{}", value)});
-  std::visit(
-      [&](auto member) {
-        options.*member = static_cast<std::decay_t<decltype(options.*member)>>(value);
-      },
-      setting->member);
+  if (!(value >= number->low && value <= number->high))
+    throw Error(
+        {file, key, fmt::format("{} to {}", number->low, number->high), fmt::format("{}", value)});
+  set_number(options, *number, value);
+}
+
+std::string tuned_keys() {
+  std::string all;
+  for (const TrackerNumber& number : kTrackerNumbers) {
+    if (number.tuned) all += fmt::format("{}{}", all.empty() ? "" : ", ", number.key);
+  }
+  return all;
 }
 
 TrackerOptions tracker_of(const json& line, const std::string& file) {
@@ -132,7 +119,8 @@ void add_tune(CLI::App& app) {
   add_sequence_options(*verb, options->set);
   verb->add_option("--trackers", options->trackers,
                    "A file with a JSON object a line: temporal, and what is not as chosen for it "
-                   "of neighbours, kept, sigma_hog, sigma_stretch, sigma_pose, bandwidth")
+                   "of " +
+                       tuned_keys())
       ->required();
   verb->add_option("--alphas", options->alphas, "Segmentation noise, percent, by commas")
       ->delimiter(',')

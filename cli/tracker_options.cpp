@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "tracker_options.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace graspdb::cli {
+namespace {
+
+// One value for all models, or each model's own: "20", "none 20, gaussian 20, ...".
+template <typename Value>
+std::string tuned_default(Value TrackerOptions::*member) {
+  std::string all, first = fmt::format("{:g}", double(tuned_options(kTemporalModels[0]).*member));
+  bool same = true;
+  for (const TemporalModel model : kTemporalModels) {
+    const std::string value = fmt::format("{:g}", double(tuned_options(model).*member));
+    same = same && value == first;
+    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", temporal_name(model), value);
+  }
+  return same ? first : all;
+}
+
+// An int is read as one: 20.5 neighbours are refused.
+template <typename Value>
+void add_number(CLI::App& verb, const TrackerNumber& number, Value TrackerOptions::*member,
+                std::optional<double>& given) {
+  const auto keep = [&given](const Value& value) { given = value; };
+  verb.add_option_function<Value>(number.names, keep, number.help)
+      ->check(CLI::Range(static_cast<Value>(number.low), static_cast<Value>(number.high)))
+      ->default_str(tuned_default(member));
+}
+
+}  // namespace
+
+void set_number(TrackerOptions& options, const TrackerNumber& number, double value) {
+  std::visit(
+      [&](auto member) {
+        options.*member = static_cast<std::decay_t<decltype(options.*member)>>(value);
+      },
+      number.member);
+}
+
+nlohmann::json options_json(const TrackerOptions& options) {
+  nlohmann::json all;
+  for (const TrackerNumber& number : kTrackerNumbers)
+    std::visit([&](auto member) { all[number.key] = options.*member; }, number.member);
+  return all;
+}
+
+TrackerOptions TrackerSettings::options(TemporalModel model) const {
+  TrackerOptions options = tuned_options(model);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i]) set_number(options, kTrackerNumbers[i], *numbers[i]);
+  }
+  return options;
+}
+
+void add_tracker_options(CLI::App& verb, TrackerSettings& settings) {
+  verb.add_option("--temporal", settings.temporal, "How a frame depends on the one before")
+      ->check(CLI::IsMember({"none", "gaussian", "kde", "successors"}));
+  verb.add_option("--search", settings.search, "How neighbours are found")
+      ->check(CLI::IsMember({"exact", "scan", "lsh"}));
+  for (std::size_t i = 0; i < kTrackerNumbers.size(); ++i) {
+    const TrackerNumber& number = kTrackerNumbers[i];
+    std::visit([&](auto member) { add_number(verb, number, member, settings.numbers[i]); },
+               number.member);
+  }
+}
+
+}  // namespace graspdb::cli
