@@ -36,7 +36,7 @@ json bench_searches(const Database& database, const Options& options) {
   const auto queries = held_out_queries(database, options.queries);
   const auto exact = open_search(database, "exact");
   json lines = json::array();
-  for (const std::string method : {"exact", "scan", "lsh"}) {
+  for (const std::string& method : search_names()) {
     const auto opened = method == "exact" ? nullptr : open_search(database, method);
     const Search& search = opened ? *opened : *exact;
     const double found = recall(search, *exact, queries, options.k);

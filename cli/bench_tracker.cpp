@@ -195,7 +195,7 @@ TrackerBench bench_tracker(const Database& database, const std::string& video, i
                      .height = first->height(),
                      .frames = frames,
                      .load = load_average()};
-  for (const std::string search : {"exact", "scan", "lsh"}) {
+  for (const std::string& search : search_names()) {
     // Without an index one would be built first, whose memory is not the tracker's.
     if (search == "lsh" && !std::filesystem::exists(index_file(database, search))) continue;
     bench.trackers.push_back(

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 
@@ -76,6 +77,11 @@ std::filesystem::path grasp_directory() {
 
 std::filesystem::path index_file(const Database& database, const std::string& method) {
   return database.path().string() + "." + method;
+}
+
+const std::vector<std::string>& search_names() {
+  static const std::vector<std::string> names = {"exact", "scan", "lsh"};
+  return names;
 }
 
 std::unique_ptr<Search> open_search(const Database& database, const std::string& method) {

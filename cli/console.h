@@ -2,7 +2,6 @@
 // What all verbs share: progress on stderr, default places of data, opening searches.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -26,7 +25,9 @@ std::string check_not_nan(const std::string& number);
 std::filesystem::path default_hand();  // assets/hands/male.glb
 std::filesystem::path grasp_directory();
 
-// "exact", "scan" or "lsh"; lsh takes the index beside the database when there is one.
+const std::vector<std::string>& search_names();  // "exact", "scan", "lsh"
+
+// One of those names; lsh takes the index beside the database when there is one.
 std::unique_ptr<Search> open_search(const Database& database, const std::string& method);
 std::filesystem::path index_file(const Database& database, const std::string& method);
 

@@ -131,7 +131,7 @@ void add_query(CLI::App& app) {
                    "A picture of the same size, bright where the hand is [skin colour]");
   verb->add_option("-k,--neighbours", options->count, "How many rows")->check(CLI::Range(1, 1000));
   verb->add_option("--search", options->search, "How neighbours are found")
-      ->check(CLI::IsMember({"exact", "scan", "lsh"}));
+      ->check(CLI::IsMember(search_names()));
   verb->add_option("--out", options->out,
                    "Also draw the hand beside its nearest rows to this PNG; needs the hand and "
                    "grasp files that the database was built from");

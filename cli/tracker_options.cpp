@@ -5,8 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "console.h"
+
 namespace graspdb::cli {
 namespace {
+
+std::vector<std::string> temporal_names() {
+  std::vector<std::string> names;
+  for (const TemporalModel model : kTemporalModels) names.push_back(temporal_name(model));
+  return names;
+}
 
 // One value for all models, or each model's own: "20", "none 20, gaussian 20, ...".
 template <typename Value>
@@ -58,9 +66,9 @@ TrackerOptions TrackerSettings::options(TemporalModel model) const {
 
 void add_tracker_options(CLI::App& verb, TrackerSettings& settings) {
   verb.add_option("--temporal", settings.temporal, "How a frame depends on the one before")
-      ->check(CLI::IsMember({"none", "gaussian", "kde", "successors"}));
+      ->check(CLI::IsMember(temporal_names()));
   verb.add_option("--search", settings.search, "How neighbours are found")
-      ->check(CLI::IsMember({"exact", "scan", "lsh"}));
+      ->check(CLI::IsMember(search_names()));
   for (std::size_t i = 0; i < kTrackerNumbers.size(); ++i) {
     const TrackerNumber& number = kTrackerNumbers[i];
     std::visit([&](auto member) { add_number(verb, number, member, settings.numbers[i]); },

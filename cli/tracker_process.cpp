@@ -210,7 +210,7 @@ void add_tracker_process(CLI::App& app) {
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("SEARCH", options->search, "How neighbours are found")
       ->required()
-      ->check(CLI::IsMember({"exact", "scan", "lsh"}));
+      ->check(CLI::IsMember(search_names()));
   verb->add_option("SOCKET", options->socket, "The number of an open socket")->required();
   verb->callback(
       [options] { serve_to_the_end(options->socket, options->database, options->search); });

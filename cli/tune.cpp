@@ -127,7 +127,7 @@ void add_tune(CLI::App& app) {
       ->allow_extra_args(false)
       ->check(CLI::Range(0.0, 100.0));
   verb->add_option("--search", options->search, "How neighbours are found")
-      ->check(CLI::IsMember({"exact", "scan", "lsh"}));
+      ->check(CLI::IsMember(search_names()));
   verb->add_option("--seed", options->seed, "Seed of the segmentation noise");
   verb->callback([options] { run(*options); });
 }
