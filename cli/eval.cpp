@@ -20,8 +20,7 @@ namespace {
 struct Options {
   std::string database, out;
   SequenceSetOptions set;
-  std::vector<double> alphas = EvalOptions{}.alphas;
-  std::uint64_t seed = 0;
+  NoiseOptions noise{.alphas = EvalOptions{}.alphas};
   TrackerSettings tracker;
   bool json = false;
 };
@@ -41,7 +40,7 @@ void write_all(const Options& options, const EvalReport& report, const std::stri
 }
 
 EvalOptions eval_options(const Options& options) {
-  EvalOptions settings{.trackers = {}, .alphas = options.alphas, .seed = options.seed};
+  EvalOptions settings{.trackers = {}, .alphas = options.noise.alphas, .seed = options.noise.seed};
   for (const TemporalModel model : kTemporalModels)
     settings.trackers.push_back(options.tracker.options(model));
   return settings;
@@ -67,14 +66,14 @@ void run(const Options& options) {
     fmt::print("object: {}\n", objects.beside(renderer->spec()));
   }
   if (report.sequences.empty()) throw Error("every sequence is left out");
-  report.set = summarize_set(report.sequences, options.seed);
+  report.set = summarize_set(report.sequences, options.noise.seed);
   if (!options.json) print(report.set, report.sequences.front().kind, report.sequences.size());
   nlohmann::json json = eval_json(report);
   json["database"] = {{"content_hash", database.content_hash()}, {"rows", database.rows()}};
   for (const TrackerOptions& tracker : settings.trackers)
     json["trackers"][temporal_name(tracker.temporal)] = options_json(tracker);
   json["search"] = options.tracker.search;
-  json["seed"] = options.seed;
+  json["seed"] = options.noise.seed;
   json.update(set.json());
   const std::string text = json.dump(1) + "\n";
   if (options.json) fmt::print("{}", text);
@@ -89,11 +88,7 @@ void add_eval(CLI::App& app) {
       app.add_subcommand("eval", "Track rendered sequences and hold the answers against the truth");
   verb->add_option("DB", options->database, "The database")->required();
   add_sequence_options(*verb, options->set);
-  verb->add_option("--alphas", options->alphas, "Segmentation noise, percent, by commas")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::Range(0.0, 100.0));
-  verb->add_option("--seed", options->seed, "Seed of the segmentation noise");
+  add_noise_options(*verb, options->noise);
   verb->add_option("--out", options->out, "A folder for eval.json, frames.csv and runs.csv");
   verb->add_flag("--json", options->json, "JSON instead of tables");
   add_tracker_options(*verb, options->tracker);

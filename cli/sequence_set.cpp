@@ -120,4 +120,12 @@ void add_sequence_options(CLI::App& verb, SequenceSetOptions& options) {
   photoreal->excludes(hand)->excludes(grasps)->excludes(fps);  // photographs show what they show
 }
 
+void add_noise_options(CLI::App& verb, NoiseOptions& options) {
+  verb.add_option("--alphas", options.alphas, "Segmentation noise, percent, by commas")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Range(0.0, 100.0));
+  verb.add_option("--seed", options.seed, "Seed of the segmentation noise");
+}
+
 }  // namespace graspdb::cli

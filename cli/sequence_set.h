@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The sequences that `eval` and `tune` run the tracker over.
+// The sequences that `eval` and `tune` run the tracker over, and the noise that they add.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -20,6 +21,12 @@ struct SequenceSetOptions {
   std::optional<double> fps;
 };
 void add_sequence_options(CLI::App& verb, SequenceSetOptions& options);
+
+struct NoiseOptions {          // of the segmentation
+  std::vector<double> alphas;  // percent
+  std::uint64_t seed = 0;
+};
+void add_noise_options(CLI::App& verb, NoiseOptions& options);
 
 // What is wrong with any of the files is found before the first is run.
 class SequenceSet {

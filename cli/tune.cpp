@@ -21,8 +21,7 @@ using nlohmann::json;
 struct Options {
   std::string database, trackers, search = "exact";
   SequenceSetOptions set;
-  std::vector<double> alphas = {0, 1};
-  std::uint64_t seed = 0;
+  NoiseOptions noise{.alphas = {0, 1}};
 };
 
 void set_option(TrackerOptions& options, const std::string& key, double value,
@@ -87,8 +86,9 @@ json mean_errors(const SequenceEvaluation& sequence, std::size_t tracker, std::s
 
 void run(const Options& options) {
   const Database database = Database::open(options.database);
-  const EvalOptions settings{
-      .trackers = read_trackers(options.trackers), .alphas = options.alphas, .seed = options.seed};
+  const EvalOptions settings{.trackers = read_trackers(options.trackers),
+                             .alphas = options.noise.alphas,
+                             .seed = options.noise.seed};
   SequenceSet set(options.set);
   const PoseGrid grid(database);
   const auto search = open_search(database, options.search);
@@ -104,7 +104,7 @@ void run(const Options& options) {
         evaluate(database, grid, *search, set.frames(*renderer), settings,
                  console_progress(spec.name + ":", "passes"));
     for (std::size_t i = 0; i < lines.size(); ++i)
-      lines[i]["sequences"][spec.name] = mean_errors(result, i, options.alphas.size());
+      lines[i]["sequences"][spec.name] = mean_errors(result, i, options.noise.alphas.size());
   }
   for (const json& line : lines) fmt::print("{}\n", line.dump());
 }
@@ -122,13 +122,9 @@ void add_tune(CLI::App& app) {
                    "of " +
                        tuned_keys())
       ->required();
-  verb->add_option("--alphas", options->alphas, "Segmentation noise, percent, by commas")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::Range(0.0, 100.0));
+  add_noise_options(*verb, options->noise);
   verb->add_option("--search", options->search, "How neighbours are found")
       ->check(CLI::IsMember(search_names()));
-  verb->add_option("--seed", options->seed, "Seed of the segmentation noise");
   verb->callback([options] { run(*options); });
 }
 
