@@ -12,25 +12,19 @@
 #include "graspdb/image_io.h"
 #include "graspdb/segmentation.h"
 #include "support/temporary_directory.h"
+#include "support/tripod_sequence.h"
 
 namespace graspdb {
 namespace {
 
 using ::testing::HasSubstr;
 
-const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
-
-// An empty tripod of the male hand, whose closed pose the project keeps: four frames.
-SequenceSpec tripod() {
-  SequenceSpec spec;
-  spec.name = "tripod";
-  spec.camera = {.width = 320, .height = 240, .fx = 400, .fy = 400, .cx = 159.5, .cy = 119.5};
-  spec.visible_forearm = 0.05;
+// Of another colour than its object, and without it.
+SequenceSpec empty_tripod() {
+  SequenceSpec spec = testing::tripod_sequence();
+  spec.camera.fx = spec.camera.fy = 400;
   spec.look.skin_bgr = {110, 145, 205};
   spec.look.object_bgr = {150, 90, 40};
-  spec.hand.file = kSource / "assets/hands/male.glb";
-  spec.grasp = load_grasp(kSource / "grasps/14_tripod.toml");
-  spec.rest = load_rest_pose(kSource / "grasps");
   spec.object_visible = false;
   spec.keyframes = {{.time = 0, .closure = 0, .view = {0.2, 0, 0}, .palm = {0, 0, 0.45}},
                     {.time = 0.3, .closure = 1, .view = {0.4, 0, 0}, .palm = {0.02, 0.01, 0.5}}};
@@ -44,7 +38,7 @@ void write_jpeg(const std::filesystem::path& file, ColorImage color) {
 
 class Photoreal : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { renderer_ = std::make_unique<SequenceRenderer>(tripod()); }
+  static void SetUpTestSuite() { renderer_ = std::make_unique<SequenceRenderer>(empty_tripod()); }
   static void TearDownTestSuite() { renderer_.reset(); }
 
   std::filesystem::path frame(int i) const {

@@ -10,13 +10,12 @@
 #include "graspdb/rig.h"
 #include "graspdb/sequence.h"
 #include "support/temporary_directory.h"
+#include "support/tripod_sequence.h"
 
 namespace graspdb {
 namespace {
 
 using nlohmann::json;
-
-const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
 
 template <typename Value>
 std::vector<Value> read_array(const std::filesystem::path& file) {
@@ -27,25 +26,10 @@ std::vector<Value> read_array(const std::filesystem::path& file) {
   return values;
 }
 
-// The project's own tripod on the male hand, whose closed pose it keeps.
-SequenceSpec tripod() {
-  SequenceSpec spec;
-  spec.name = "tripod";
-  spec.camera = {.width = 320, .height = 240, .fx = 300, .fy = 300, .cx = 159.5, .cy = 119.5};
-  spec.visible_forearm = 0.05;
-  spec.look.skin_bgr = spec.look.object_bgr = {100, 150, 200};
-  spec.hand.file = kSource / "assets/hands/male.glb";
-  spec.grasp = load_grasp(kSource / "grasps/14_tripod.toml");
-  spec.rest = load_rest_pose(kSource / "grasps");
-  spec.keyframes = {{.time = 0, .closure = 0, .view = {kPi, 0, 0}, .palm = {0, 0, 0.5}},
-                    {.time = 0.3, .closure = 1, .view = {2, 0.3, 0}, .palm = {0.02, 0.01, 0.6}}};
-  return spec;
-}
-
 class SequenceMeshes : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    renderer_ = std::make_unique<SequenceRenderer>(tripod());
+    renderer_ = std::make_unique<SequenceRenderer>(testing::tripod_sequence());
     directory_ = std::make_unique<testing::TemporaryDirectory>();
     write_meshes(*renderer_, directory_->path());
     header_ = json::parse(read_text(*directory_ / "meshes.json"));
@@ -97,7 +81,7 @@ double slack(const std::vector<Eigen::Vector2d>& points, const Box& box) {
 }
 
 TEST_F(SequenceMeshes, EveryFramesHandFillsTheBoxOfItsPicture) {
-  SequenceSpec free = tripod();
+  SequenceSpec free = testing::tripod_sequence();
   free.object_visible = false;
   const SequenceRenderer unhidden(free);
   const auto vertices = read_array<Eigen::Vector3f>(*directory_ / "hand_vertices.f32");
@@ -163,7 +147,7 @@ TEST_F(SequenceMeshes, TheForearmEndsWhereTheSequenceSays) {
 TEST_F(SequenceMeshes, AnEmptyHandsFolderHasNoObject) {
   const testing::TemporaryDirectory directory;
   write_meshes(*renderer_, directory.path());
-  SequenceSpec spec = tripod();
+  SequenceSpec spec = testing::tripod_sequence();
   spec.object_visible = false;
   write_meshes(SequenceRenderer(spec), directory.path());
   EXPECT_TRUE(json::parse(read_text(directory / "meshes.json"))["object"].is_null());

@@ -10,6 +10,7 @@
 #include "graspdb/image_io.h"
 #include "graspdb/sequence.h"
 #include "support/temporary_directory.h"
+#include "support/tripod_sequence.h"
 
 namespace graspdb {
 namespace {
@@ -20,19 +21,13 @@ bool has_opencv() {
   return std::system("/usr/bin/python3 -c 'import cv2' 2>/dev/null") == 0;
 }
 
-// The project's own tripod on the male hand, whose closed pose it keeps. The principal point is
-// not in the middle; the name is one that there is a look for.
+// The principal point is not in the middle; the name is one that there is a look for.
 SequenceSpec two_frames() {
-  SequenceSpec spec;
+  SequenceSpec spec = testing::tripod_sequence();
   spec.name = "jar";
-  spec.camera = {.width = 320, .height = 240, .fx = 300, .fy = 300, .cx = 170, .cy = 105};
-  spec.visible_forearm = 0.05;
-  spec.look.skin_bgr = spec.look.object_bgr = {100, 150, 200};
-  spec.hand.file = kSource / "assets/hands/male.glb";
-  spec.grasp = load_grasp(kSource / "grasps/14_tripod.toml");
-  spec.rest = load_rest_pose(kSource / "grasps");
-  spec.keyframes = {{.time = 0, .closure = 0, .view = {kPi, 0, 0}, .palm = {0, 0, 0.5}},
-                    {.time = 0.1, .closure = 1, .view = {2, 0.3, 0}, .palm = {0.02, 0.01, 0.6}}};
+  spec.camera.cx = 170;
+  spec.camera.cy = 105;
+  spec.keyframes.back().time = 0.1;
   return spec;
 }
 
