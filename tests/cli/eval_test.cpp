@@ -263,7 +263,8 @@ TEST_F(Eval, TuneRefusesAnOptionThatIsNone) {
   const std::string tune = "tune " + path("tiny.graspdb") + " --sequences " +
                            path("set/one.seq.toml") + " --trackers " + path("wrong.jsonl");
   for (const char* line : {R"({"temporal": "kde", "sigma": 1})", R"({"temporal": "hmm"})",
-                           R"({"temporal": "kde", "kept": 0})", "kde", ""}) {
+                           R"({"temporal": "kde", "kept": 0})",
+                           R"({"temporal": "kde", "max_distance": 4})", "kde", ""}) {
     write_text(path("wrong.jsonl"), line);
     const Outcome refused = run_program(tune);
     EXPECT_EQ(refused.code, 1) << line;
