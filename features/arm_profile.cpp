@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <queue>
 
 namespace graspdb {
 namespace {
@@ -38,27 +37,29 @@ std::vector<cv::Point> longest_contact(const cv::Mat& mask) {
   return longest;
 }
 
-// Dijkstra's shortest paths over the 8 neighbours.
+// Shortest paths over the 8 neighbours. No step is shorter than 1: all whose length has the same
+// whole part are reached from shorter ones, so that these rings of pixels are done one by one.
 cv::Mat path_lengths(const cv::Mat& mask, const std::vector<cv::Point>& sources) {
-  using Entry = std::pair<float, int>;  // length, pixel number
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
   cv::Mat length(mask.size(), CV_32F, cv::Scalar(-1));
+  std::vector<std::vector<cv::Point>> rings(1);
   const auto reach = [&](const cv::Point& point, float at) {
     float& known = length.at<float>(point);
     if (known >= 0 && known <= at) return;
     known = at;
-    front.emplace(at, point.y * mask.cols + point.x);
+    const auto ring = static_cast<std::size_t>(at);
+    if (ring >= rings.size()) rings.resize(ring + 1);
+    rings[ring].push_back(point);
   };
   for (const cv::Point& source : sources) reach(source, 0);
-  while (!front.empty()) {
-    const auto [at, number] = front.top();
-    front.pop();
-    const cv::Point from(number % mask.cols, number / mask.cols);
-    if (at > length.at<float>(from)) continue;
-    for (int i = 0; i < 9; ++i) {
-      const cv::Point step(i % 3 - 1, i / 3 - 1), to = from + step;
-      if (!cv::Rect(cv::Point(), mask.size()).contains(to)) continue;
-      if (mask.at<std::uint8_t>(to) != 0) reach(to, at + std::hypot(float(step.x), float(step.y)));
+  const cv::Rect whole(cv::Point(), mask.size());
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    for (const cv::Point& from : std::vector<cv::Point>(std::move(rings[ring]))) {
+      const float at = length.at<float>(from);
+      for (int i = 0; i < 9; ++i) {
+        const cv::Point step(i % 3 - 1, i / 3 - 1), to = from + step;
+        if (!whole.contains(to) || mask.at<std::uint8_t>(to) == 0) continue;
+        reach(to, at + (step.x != 0 && step.y != 0 ? std::sqrt(2.0F) : 1.0F));
+      }
     }
   }
   return length;

@@ -30,10 +30,7 @@ struct SmallPicture {
 // does not reach the small picture's border either.
 SmallPicture shrink(const Mask& hand, const Box& box) {
   const int factor = (std::max(box.width, box.height) - 1) / kMeasuredSide + 1;
-  const int margin = 3 * factor;
-  const cv::Rect grown(box.x - margin, box.y - margin, box.width + 2 * margin,
-                       box.height + 2 * margin);
-  const cv::Rect part = grown & cv::Rect(0, 0, hand.width(), hand.height());
+  const cv::Rect part = grown(box, 3 * factor, hand);
   cv::Mat small, closed;
   cv::resize(as_mat(hand)(part), small,
              cv::Size((part.width + factor - 1) / factor, (part.height + factor - 1) / factor), 0,
@@ -93,33 +90,55 @@ std::optional<Palm> find_palm(const std::vector<float>& radius) {
   return Palm{start, std::max(widest, 1.2F * arm)};
 }
 
-// Clears what the arm passes before `cut`: straight across it, but for what lies well beyond.
-void clear_before(float cut, float palm_radius, const ArmProfile& arm, const SmallPicture& small,
-                  Mask& hand) {
+// A straight line across the arm, in pixels of the small picture.
+struct Line {
+  cv::Point2d middle, inwards;
+  bool is_before(const cv::Point2d& point) const { return (point - middle).dot(inwards) < 0; }
+};
+
+// Between the middles of what the arm passes shortly before `cut` and shortly after.
+std::optional<Line> line_at(float cut, float palm_radius, const cv::Mat& way) {
   cv::Point2d here(0, 0), ahead(0, 0);
   int here_count = 0, ahead_count = 0;
-  for (int y = 0; y < arm.way.rows; ++y) {
-    for (int x = 0; x < arm.way.cols; ++x) {
-      const float beyond = arm.way.at<float>(y, x) - cut;
+  for (int y = 0; y < way.rows; ++y) {
+    for (int x = 0; x < way.cols; ++x) {
+      const float beyond = way.at<float>(y, x) - cut;
       if (std::abs(beyond) > palm_radius / 2) continue;
       (beyond < 0 ? here : ahead) += cv::Point2d(x, y);
       ++(beyond < 0 ? here_count : ahead_count);
     }
   }
-  if (here_count == 0 || ahead_count == 0) return;
+  if (here_count == 0 || ahead_count == 0) return std::nullopt;
   here /= here_count;
   ahead /= ahead_count;
-  const cv::Point2d middle = 0.5 * (here + ahead), inwards = ahead - here;
-  for (int y = 0; y < arm.way.rows * small.factor; ++y) {
-    for (int x = 0; x < arm.way.cols * small.factor; ++x) {
-      const cv::Point in_hand = small.origin + cv::Point(x, y);
-      if (in_hand.x >= hand.width() || in_hand.y >= hand.height()) continue;
-      const cv::Point2d measured((x + 0.5) / small.factor - 0.5, (y + 0.5) / small.factor - 0.5);
-      if ((measured - middle).dot(inwards) >= 0) continue;
-      const cv::Point at(x / small.factor, y / small.factor);
-      const float way = arm.way.at<float>(at);
-      const bool connected = way >= 0 || small.mask.at<std::uint8_t>(at) == 0;  // or a rim of it
-      if (connected && way < cut + palm_radius) hand.at(in_hand.x, in_hand.y) = 0;
+  return Line{0.5 * (here + ahead), ahead - here};
+}
+
+// Of the hand's pixels that make up one of the small picture's those before the line.
+void clear_before(const Line& line, const SmallPicture& small, const cv::Point& at, Mask& hand) {
+  const cv::Point corner = small.origin + small.factor * at;
+  const int right = std::min(corner.x + small.factor, hand.width());
+  const int bottom = std::min(corner.y + small.factor, hand.height());
+  const auto measured = [&](int i, int origin) { return (i - origin + 0.5) / small.factor - 0.5; };
+  for (int y = corner.y; y < bottom; ++y) {
+    for (int x = corner.x; x < right; ++x) {
+      std::uint8_t& pixel = hand.at(x, y);
+      if (pixel == 0) continue;
+      if (line.is_before({measured(x, small.origin.x), measured(y, small.origin.y)})) pixel = 0;
+    }
+  }
+}
+
+// Clears what the arm passes before `cut`: straight across it, but for what lies well beyond.
+void clear_arm(float cut, float palm_radius, const cv::Mat& way, const SmallPicture& small,
+               Mask& hand) {
+  const std::optional<Line> line = line_at(cut, palm_radius, way);
+  if (!line) return;
+  for (int y = 0; y < way.rows; ++y) {
+    for (int x = 0; x < way.cols; ++x) {
+      const float passed = way.at<float>(y, x);
+      const bool connected = passed >= 0 || small.mask.at<std::uint8_t>(y, x) == 0;  // or its rim
+      if (connected && passed < cut + palm_radius) clear_before(*line, small, {x, y}, hand);
     }
   }
 }
@@ -137,7 +156,7 @@ Mask cut_forearm(const Mask& hand) {
   if (!palm) return hand;
   const float cut = static_cast<float>(palm->start) - kKeptInRadii * palm->radius;
   Mask result = hand;
-  if (cut > 0) clear_before(cut, palm->radius, *arm, small, result);
+  if (cut > 0) clear_arm(cut, palm->radius, arm->way, small, result);
   return result;
 }
 

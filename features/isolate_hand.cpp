@@ -3,6 +3,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "graspdb/hog.h"
 #include "graspdb/segmentation.h"
 #include "opencv_image.h"
 #include "plausible.h"
@@ -19,8 +20,9 @@ constexpr double kSmoothing = 0.02;
 void smooth(Mask& hand) {
   const auto area = static_cast<double>(std::count(hand.begin(), hand.end(), 255));
   const int radius = static_cast<int>(std::lround(kSmoothing * std::sqrt(area)));
-  if (radius == 0) return;
-  cv::Mat image = as_mat(hand), votes;
+  const std::optional<Box> box = tight_box(hand);
+  if (radius == 0 || !box) return;
+  cv::Mat image = as_mat(hand)(grown(*box, radius, hand)), votes;
   cv::blur(image, votes, {2 * radius + 1, 2 * radius + 1}, {-1, -1}, cv::BORDER_REPLICATE);
   cv::threshold(votes, image, 127, 255, cv::THRESH_BINARY);
 }

@@ -19,4 +19,14 @@ inline cv::Mat as_mat(const ColorImage& image) {
   return {image.height(), image.width(), CV_8UC3, const_cast<Bgr*>(image.data())};
 }
 
+inline cv::Rect as_rect(const Box& box) {
+  return {box.x, box.y, box.width, box.height};
+}
+// The box with a margin, as far as it lies in the picture.
+inline cv::Rect grown(const Box& box, int margin, const GrayImage& image) {
+  const cv::Rect whole(0, 0, image.width(), image.height());
+  return whole &
+         cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin);
+}
+
 }  // namespace graspdb

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "graspdb/error.h"
+#include "graspdb/hog.h"
 #include "opencv_image.h"
 
 namespace graspdb {
@@ -22,17 +23,6 @@ constexpr int kNarrowestRedness = 3, kWidestRedness = 14;  // hands 5 to 11
 
 using Histogram = std::array<int, 256>;
 
-Histogram histogram_inside(const cv::Mat& channel, const Mask& region) {
-  Histogram counts{};
-  for (int y = 0; y < region.height(); ++y) {
-    const auto* values = channel.ptr<std::uint8_t>(y);
-    for (int x = 0; x < region.width(); ++x) {
-      if (region.at(x, y) != 0) ++counts[values[x]];
-    }
-  }
-  return counts;
-}
-
 // The smallest value that at least this share of the pixels does not exceed.
 int quantile(const Histogram& counts, double share) {
   int total = 0;
@@ -45,37 +35,68 @@ int quantile(const Histogram& counts, double share) {
   return 255;
 }
 
-cv::Mat channel_of(const ColorImage& frame, int conversion, int channel) {
-  cv::Mat converted, single;
-  cv::cvtColor(as_mat(frame), converted, conversion);
-  cv::extractChannel(converted, single, channel);
-  return single;
+cv::Mat converted(const ColorImage& frame, const Box& box, int conversion) {
+  cv::Mat result;
+  cv::cvtColor(as_mat(frame)(as_rect(box)), result, conversion);
+  return result;
 }
 
-// Hues turned by half a circle, so that red lies in the middle.
-int median_hue(const ColorImage& frame, const Mask& region) {
-  constexpr std::size_t kHalf = 90;
-  const Histogram hues = histogram_inside(channel_of(frame, cv::COLOR_BGR2HSV, 0), region);
-  Histogram turned{};
-  for (std::size_t hue = 0; hue < 2 * kHalf; ++hue) turned[(hue + kHalf) % (2 * kHalf)] = hues[hue];
-  return quantile(turned, 0.5) - static_cast<int>(kHalf);
+constexpr int kHalfTurn = 90;
+
+// Of the colours in a region: their hues, turned by half a circle so that red lies in the middle,
+// and their redness.
+struct Colors {
+  Histogram turned_hue{}, redness{};
+};
+
+Colors colors_of(const ColorImage& frame, const Mask& region, const Box& box) {
+  const cv::Mat hsv = converted(frame, box, cv::COLOR_BGR2HSV);
+  const cv::Mat lab = converted(frame, box, cv::COLOR_BGR2Lab);
+  Colors colors;
+  for (int y = 0; y < box.height; ++y) {
+    const std::uint8_t* inside = region.row(box.y + y) + box.x;
+    const auto *hsv_row = hsv.ptr<cv::Vec3b>(y), *lab_row = lab.ptr<cv::Vec3b>(y);
+    for (int x = 0; x < box.width; ++x) {
+      if (inside[x] == 0) continue;
+      ++colors.turned_hue[(hsv_row[x][0] + kHalfTurn) % (2U * kHalfTurn)];
+      ++colors.redness[lab_row[x][1]];
+    }
+  }
+  return colors;
+}
+
+// Masks hold 0 and 255, whose last bits are counted.
+int count_inside(const std::uint8_t* row, int width) {
+  int count = 0;
+  for (int x = 0; x < width; ++x) count += row[x] & 1;
+  return count;
+}
+
+// Of the row's pixels but its first and last those with a neighbour of 4 outside.
+int count_outline(const Mask& region, int y) {
+  const std::uint8_t *above = region.row(y - 1), *row = region.row(y), *below = region.row(y + 1);
+  int count = 0;
+  for (int x = 1; x < region.width() - 1; ++x) {
+    count += row[x] & ~(row[x - 1] & row[x + 1] & above[x] & below[x]) & 1;
+  }
+  return count;
 }
 
 }  // namespace
 
 bool has_shape_of_hand(const Mask& region) {
-  int area = 0, outline = 0, border = 0;
   const int right = region.width() - 1, bottom = region.height() - 1;
+  int area = 0, outline = 0, border = 0;
   for (int y = 0; y <= bottom; ++y) {
-    for (int x = 0; x <= right; ++x) {
-      if (region.at(x, y) == 0) continue;
-      ++area;
-      if (x == 0 || y == 0 || x == right || y == bottom) {
-        ++border;
-      } else if (region.at(x - 1, y) == 0 || region.at(x + 1, y) == 0 || region.at(x, y - 1) == 0 ||
-                 region.at(x, y + 1) == 0) {
-        ++outline;
-      }
+    const std::uint8_t* row = region.row(y);
+    const int count = count_inside(row, region.width());
+    area += count;
+    if (count == 0) continue;
+    if (y == 0 || y == bottom) {
+      border += count;
+    } else {
+      border += (row[0] & 1) + (row[right] & 1);
+      outline += count_outline(region, y);
     }
   }
   const double unit = std::sqrt(area);
@@ -84,11 +105,13 @@ bool has_shape_of_hand(const Mask& region) {
 
 bool has_color_of_skin(const ColorImage& frame, const Mask& region) {
   GRASPDB_CHECK(frame.width() == region.width() && frame.height() == region.height());
-  const int hue = median_hue(frame, region);
-  if (hue < kLowestHue || hue > kHighestHue) return false;
-  const Histogram redness = histogram_inside(channel_of(frame, cv::COLOR_BGR2Lab, 1), region);
-  const int width = quantile(redness, 0.9) - quantile(redness, 0.1);
-  return width >= kNarrowestRedness && width <= kWidestRedness;
+  const std::optional<Box> box = tight_box(region);
+  if (!box) return false;
+  const Colors colors = colors_of(frame, region, *box);
+  const int hue = quantile(colors.turned_hue, 0.5) - kHalfTurn;
+  const int width = quantile(colors.redness, 0.9) - quantile(colors.redness, 0.1);
+  const bool is_skins_hue = hue >= kLowestHue && hue <= kHighestHue;
+  return is_skins_hue && width >= kNarrowestRedness && width <= kWidestRedness;
 }
 
 }  // namespace graspdb
