@@ -59,6 +59,36 @@ void add_pieces(const Mask& skin, Mask& hand) {
   }
 }
 
+// Skin is looked for in a picture of no more pixels than these: a hand still has thousands.
+constexpr double kMostPixels = 110'000;
+
+// Of the frame's width and height.
+int shrink_factor(const ColorImage& frame) {
+  return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(frame.size()) / kMostPixels)));
+}
+
+ColorImage shrink(const ColorImage& frame, int factor) {
+  ColorImage small((frame.width() + factor - 1) / factor, (frame.height() + factor - 1) / factor);
+  cv::Mat image = as_mat(small);
+  cv::resize(as_mat(frame), image, image.size(), 0, 0, cv::INTER_LINEAR);
+  return small;
+}
+
+// The pixels that hold some of the box.
+Box shrink(const Box& box, int factor) {
+  const int right = box.x + box.width, bottom = box.y + box.height;
+  const int x = box.x / factor, y = box.y / factor;
+  return {x, y, (right + factor - 1) / factor - x, (bottom + factor - 1) / factor - y};
+}
+
+Mask enlarge(const Mask& small, int width, int height) {
+  Mask mask(width, height);
+  cv::Mat image = as_mat(mask);
+  cv::resize(as_mat(small), image, image.size(), 0, 0, cv::INTER_LINEAR);
+  cv::threshold(image, image, 127, 255, cv::THRESH_BINARY);
+  return mask;
+}
+
 // Nothing is left of a region that has not the shape of a hand with its arm.
 Mask hand_in(Mask region) {
   smooth(region);
@@ -77,10 +107,13 @@ Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOpt
 
 std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi,
                                 const SkinOptions& options) {
-  std::optional<Mask> region =
-      largest_region(segment_skin(frame, options), options.min_area_px, roi);
-  if (region && !has_color_of_skin(frame, *region)) region.reset();
-  return region;
+  const int factor = shrink_factor(frame);
+  const ColorImage small = shrink(frame, factor);
+  const std::optional<Mask> region =
+      largest_region(segment_skin(small, options), options.min_area_px / (factor * factor),
+                     roi ? std::optional(shrink(*roi, factor)) : std::nullopt);
+  if (!region || !has_color_of_skin(small, *region)) return std::nullopt;
+  return factor == 1 ? *region : enlarge(*region, frame.width(), frame.height());
 }
 
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi, const SkinOptions& options) {

@@ -19,9 +19,6 @@ inline cv::Mat as_mat(const ColorImage& image) {
   return {image.height(), image.width(), CV_8UC3, const_cast<Bgr*>(image.data())};
 }
 
-inline cv::Rect as_rect(const Box& box) {
-  return {box.x, box.y, box.width, box.height};
-}
 // The box with a margin, as far as it lies in the picture.
 inline cv::Rect grown(const Box& box, int margin, const GrayImage& image) {
   const cv::Rect whole(0, 0, image.width(), image.height());

@@ -7,7 +7,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "graspdb/error.h"
-#include "graspdb/hog.h"
 #include "opencv_image.h"
 
 namespace graspdb {
@@ -35,34 +34,32 @@ int quantile(const Histogram& counts, double share) {
   return 255;
 }
 
-cv::Mat converted(const ColorImage& frame, const Box& box, int conversion) {
-  cv::Mat result;
-  cv::cvtColor(as_mat(frame)(as_rect(box)), result, conversion);
-  return result;
-}
-
-constexpr int kHalfTurn = 90;
-
-// Of the colours in a region: their hues, turned by half a circle so that red lies in the middle,
-// and their redness.
-struct Colors {
-  Histogram turned_hue{}, redness{};
-};
-
-Colors colors_of(const ColorImage& frame, const Mask& region, const Box& box) {
-  const cv::Mat hsv = converted(frame, box, cv::COLOR_BGR2HSV);
-  const cv::Mat lab = converted(frame, box, cv::COLOR_BGR2Lab);
-  Colors colors;
-  for (int y = 0; y < box.height; ++y) {
-    const std::uint8_t* inside = region.row(box.y + y) + box.x;
-    const auto *hsv_row = hsv.ptr<cv::Vec3b>(y), *lab_row = lab.ptr<cv::Vec3b>(y);
-    for (int x = 0; x < box.width; ++x) {
-      if (inside[x] == 0) continue;
-      ++colors.turned_hue[(hsv_row[x][0] + kHalfTurn) % (2U * kHalfTurn)];
-      ++colors.redness[lab_row[x][1]];
-    }
+// The region's pixels, one after the other.
+ColorImage colors_inside(const ColorImage& frame, const Mask& region) {
+  const auto count = std::count(region.begin(), region.end(), 255);
+  ColorImage colors(static_cast<int>(count), 1);
+  Bgr* next = colors.data();
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    if (region.data()[i] != 0) *next++ = frame.data()[i];
   }
   return colors;
+}
+
+Histogram histogram_of(const ColorImage& colors, int conversion, int channel) {
+  cv::Mat converted;
+  cv::cvtColor(as_mat(colors), converted, conversion);
+  Histogram counts{};
+  for (int i = 0; i < converted.cols; ++i) ++counts[converted.at<cv::Vec3b>(0, i)[channel]];
+  return counts;
+}
+
+// Hues turned by half a circle, so that red lies in the middle.
+int median_hue(const ColorImage& colors) {
+  constexpr std::size_t kHalf = 90;
+  const Histogram hues = histogram_of(colors, cv::COLOR_BGR2HSV, 0);
+  Histogram turned{};
+  for (std::size_t hue = 0; hue < 2 * kHalf; ++hue) turned[(hue + kHalf) % (2 * kHalf)] = hues[hue];
+  return quantile(turned, 0.5) - static_cast<int>(kHalf);
 }
 
 // Masks hold 0 and 255, whose last bits are counted.
@@ -105,13 +102,13 @@ bool has_shape_of_hand(const Mask& region) {
 
 bool has_color_of_skin(const ColorImage& frame, const Mask& region) {
   GRASPDB_CHECK(frame.width() == region.width() && frame.height() == region.height());
-  const std::optional<Box> box = tight_box(region);
-  if (!box) return false;
-  const Colors colors = colors_of(frame, region, *box);
-  const int hue = quantile(colors.turned_hue, 0.5) - kHalfTurn;
-  const int width = quantile(colors.redness, 0.9) - quantile(colors.redness, 0.1);
-  const bool is_skins_hue = hue >= kLowestHue && hue <= kHighestHue;
-  return is_skins_hue && width >= kNarrowestRedness && width <= kWidestRedness;
+  const ColorImage colors = colors_inside(frame, region);
+  if (colors.empty()) return false;
+  const int hue = median_hue(colors);
+  if (hue < kLowestHue || hue > kHighestHue) return false;
+  const Histogram redness = histogram_of(colors, cv::COLOR_BGR2Lab, 1);
+  const int width = quantile(redness, 0.9) - quantile(redness, 0.1);
+  return width >= kNarrowestRedness && width <= kWidestRedness;
 }
 
 }  // namespace graspdb

@@ -112,7 +112,7 @@ Mask segment_skin(const ColorImage& frame, const SkinOptions& options) {
   Mask mask(frame.width(), frame.height());
   cv::Mat closed = as_mat(mask);
   cv::morphologyEx(skin, closed, cv::MORPH_CLOSE,
-                   cv::getStructuringElement(cv::MORPH_RECT, cv::Size(5, 5)));
+                   cv::getStructuringElement(cv::MORPH_RECT, cv::Size(3, 3)));
   return mask;
 }
 

@@ -118,6 +118,40 @@ TEST(IsolateHand, AnEndlessOutlineIsNoHand) {
   EXPECT_EQ(area(isolate_hand(comb)), 0);
 }
 
+// Every pixel as a square of them.
+template <typename Pixel>
+Image<Pixel> magnified(const Image<Pixel>& image, int factor) {
+  Image<Pixel> large(factor * image.width(), factor * image.height());
+  for (int y = 0; y < large.height(); ++y) {
+    for (int x = 0; x < large.width(); ++x) large.at(x, y) = image.at(x / factor, y / factor);
+  }
+  return large;
+}
+
+TEST(FindRegion, OfALargeFrameIsThatOfTheFrameInFewerPixels) {
+  const ColorImage frame = painted(palm_and_arm(), kSkin);
+  ASSERT_EQ(find_region(frame), palm_and_arm());
+  for (int factor = 2; factor < 5; ++factor) {
+    const Mask wanted = magnified(palm_and_arm(), factor);
+    const std::optional<Mask> region = find_region(magnified(frame, factor));
+    ASSERT_TRUE(region.has_value());
+    std::ptrdiff_t different = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      different += wanted.data()[i] != region->data()[i];
+    }
+    EXPECT_LT(different, area(wanted) / 100) << factor;
+  }
+}
+
+TEST(FindRegion, RoiAndLeastAreaAreInTheFramesPixels) {
+  const ColorImage frame = magnified(painted(palm_and_arm(), kSkin), 3);
+  EXPECT_TRUE(find_region(frame, Box{340, 265, 10, 10}));  // the palm begins at x = 348
+  EXPECT_FALSE(find_region(frame, Box{335, 265, 10, 10}));
+  const auto skin = static_cast<int>(9 * area(palm_and_arm()));
+  EXPECT_TRUE(find_region(frame, {}, {.min_area_px = skin * 9 / 10}));
+  EXPECT_FALSE(find_region(frame, {}, {.min_area_px = skin * 11 / 10}));
+}
+
 TEST(FindHand, SkinBeforeAWallIsFound) {
   const Mask hand = find_hand(painted(palm_and_arm(), kSkin));
   EXPECT_EQ(hand.at(160, 90), 255);
