@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 namespace graspdb {
@@ -40,28 +41,34 @@ std::vector<cv::Point> longest_contact(const cv::Mat& mask) {
 // Shortest paths over the 8 neighbours. No step is shorter than 1: all whose length has the same
 // whole part are reached from shorter ones, so that these rings of pixels are done one by one.
 cv::Mat path_lengths(const cv::Mat& mask, const std::vector<cv::Point>& sources) {
-  cv::Mat length(mask.size(), CV_32F, cv::Scalar(-1));
-  std::vector<std::vector<cv::Point>> rings(1);
-  const auto reach = [&](const cv::Point& point, float at) {
-    float& known = length.at<float>(point);
-    if (known >= 0 && known <= at) return;
-    known = at;
+  constexpr float kOutside = -1, kUnreached = std::numeric_limits<float>::max();
+  cv::Mat framed(mask.rows + 2, mask.cols + 2, CV_32F, cv::Scalar(kOutside));
+  cv::Mat length = framed(cv::Rect(cv::Point(1, 1), mask.size()));
+  length.setTo(kUnreached, mask);
+  std::vector<std::vector<float*>> rings(1);
+  const auto reach = [&rings](float* pixel, float at) {
+    if (*pixel <= at) return;
+    *pixel = at;
     const auto ring = static_cast<std::size_t>(at);
     if (ring >= rings.size()) rings.resize(ring + 1);
-    rings[ring].push_back(point);
+    rings[ring].push_back(pixel);
   };
-  for (const cv::Point& source : sources) reach(source, 0);
-  const cv::Rect whole(cv::Point(), mask.size());
+  for (const cv::Point& source : sources) reach(&length.at<float>(source), 0);
+  const auto row = static_cast<std::ptrdiff_t>(framed.step1());
+  const float straight = 1, diagonal = std::sqrt(2.0F);
   for (std::size_t ring = 0; ring < rings.size(); ++ring) {
-    for (const cv::Point& from : std::vector<cv::Point>(std::move(rings[ring]))) {
-      const float at = length.at<float>(from);
-      for (int i = 0; i < 9; ++i) {
-        const cv::Point step(i % 3 - 1, i / 3 - 1), to = from + step;
-        if (!whole.contains(to) || mask.at<std::uint8_t>(to) == 0) continue;
-        reach(to, at + (step.x != 0 && step.y != 0 ? std::sqrt(2.0F) : 1.0F));
+    for (float* from : std::vector<float*>(std::move(rings[ring]))) {
+      for (const std::ptrdiff_t step : {row, std::ptrdiff_t{1}}) {
+        reach(from - step, *from + straight);
+        reach(from + step, *from + straight);
+      }
+      for (const std::ptrdiff_t step : {row - 1, row + 1}) {
+        reach(from - step, *from + diagonal);
+        reach(from + step, *from + diagonal);
       }
     }
   }
+  length.setTo(kOutside, length == kUnreached);
   return length;
 }
 
