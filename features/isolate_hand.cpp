@@ -3,6 +3,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "graspdb/error.h"
 #include "graspdb/hog.h"
 #include "graspdb/segmentation.h"
 #include "opencv_image.h"
@@ -107,6 +108,7 @@ Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOpt
 
 std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi,
                                 const SkinOptions& options) {
+  GRASPDB_CHECK(!frame.empty());
   const int factor = shrink_factor(frame);
   const ColorImage small = shrink(frame, factor);
   const std::optional<Mask> region =
