@@ -8,6 +8,7 @@
 #include "graspdb/segmentation.h"
 #include "opencv_image.h"
 #include "plausible.h"
+#include "regions.h"
 
 namespace graspdb {
 namespace {
@@ -15,17 +16,31 @@ namespace {
 // Half the side of the vote below, as a share of the square root of the hand's area: a pixel or two
 // for a hand 100 pixels wide.
 constexpr double kSmoothing = 0.02;
+// Votes follow each other until so few pixels change, as a share of that area: one or two, and more
+// where noise has torn the mask.
+constexpr double kSettled = 0.005;
+constexpr int kMostVotes = 10;
 
-// Every pixel becomes what most of its neighbours are: specks, pinholes and the frayed edges of a
-// segmentation go, holes as large as an object stay.
+// Every pixel becomes what most of its neighbours are. How many change.
+int vote(cv::Mat mask, int radius) {
+  cv::Mat votes;
+  cv::blur(mask, votes, {2 * radius + 1, 2 * radius + 1}, {-1, -1}, cv::BORDER_REPLICATE);
+  cv::threshold(votes, votes, 127, 255, cv::THRESH_BINARY);
+  const int changed = cv::countNonZero(mask != votes);
+  votes.copyTo(mask);
+  return changed;
+}
+
+// Specks, pinholes and the frayed edges of a segmentation go, what it has torn is joined, holes as
+// large as an object stay.
 void smooth(Mask& hand) {
   const auto area = static_cast<double>(std::count(hand.begin(), hand.end(), 255));
   const int radius = static_cast<int>(std::lround(kSmoothing * std::sqrt(area)));
   const std::optional<Box> box = tight_box(hand);
   if (radius == 0 || !box) return;
-  cv::Mat image = as_mat(hand)(grown(*box, radius, hand)), votes;
-  cv::blur(image, votes, {2 * radius + 1, 2 * radius + 1}, {-1, -1}, cv::BORDER_REPLICATE);
-  cv::threshold(votes, image, 127, 255, cv::THRESH_BINARY);
+  const cv::Mat image = as_mat(hand)(grown(*box, radius, hand));
+  for (int votes = 0; votes < kMostVotes && vote(image, radius) > kSettled * area; ++votes) {
+  }
 }
 
 // The object that a hand holds can cut it into pieces. Those of the skin's other regions count that
@@ -39,25 +54,15 @@ bool touches_border(const Box& box, const Mask& mask) {
          box.y + box.height == mask.height();
 }
 
-Box box_of(const cv::Mat& stats, int label) {
-  return {stats.at<int>(label, cv::CC_STAT_LEFT), stats.at<int>(label, cv::CC_STAT_TOP),
-          stats.at<int>(label, cv::CC_STAT_WIDTH), stats.at<int>(label, cv::CC_STAT_HEIGHT)};
+double gap_between(const Box& a, const Box& b) {
+  const int x = std::max({0, a.x - b.x - b.width, b.x - a.x - a.width});
+  const int y = std::max({0, a.y - b.y - b.height, b.y - a.y - a.height});
+  return std::hypot(x, y);
 }
 
-void add_pieces(const Mask& skin, Mask& hand) {
-  cv::Mat labels, stats, centroids, gap;
-  const int count = cv::connectedComponentsWithStats(as_mat(skin), labels, stats, centroids);
-  if (count <= 2) return;  // the background and one region
-  cv::distanceTransform(as_mat(hand) == 0, gap, cv::DIST_L2, 3);
-  const auto area = static_cast<double>(std::count(hand.begin(), hand.end(), 255));
-  for (int label = 1; label < count; ++label) {
-    if (stats.at<int>(label, cv::CC_STAT_AREA) < kSmallestPiece * area) continue;
-    if (touches_border(box_of(stats, label), hand)) continue;
-    const cv::Mat piece = labels == label;
-    double nearest = 0;
-    cv::minMaxLoc(gap, &nearest, nullptr, nullptr, nullptr, piece);
-    if (nearest <= kWidestGap * std::sqrt(area)) as_mat(hand).setTo(255, piece);
-  }
+bool is_piece(const Region& region, const Region& largest, const Mask& mask) {
+  return region.area_px >= kSmallestPiece * largest.area_px && !touches_border(region.box, mask) &&
+         gap_between(region.box, largest.box) <= kWidestGap * std::sqrt(largest.area_px);
 }
 
 // Skin is looked for in a picture of no more pixels than these: a hand still has thousands.
@@ -90,20 +95,20 @@ Mask enlarge(const Mask& small, int width, int height) {
   return mask;
 }
 
-// Nothing is left of a region that has not the shape of a hand with its arm.
-Mask hand_in(Mask region) {
-  smooth(region);
-  if (!has_shape_of_hand(region)) return {region.width(), region.height()};
-  return cut_forearm(region);
-}
-
 }  // namespace
 
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOptions& options) {
-  std::optional<Mask> region = largest_region(skin, options.min_area_px, roi);
-  if (!region) return {skin.width(), skin.height()};
-  add_pieces(skin, *region);
-  return hand_in(std::move(*region));
+  Mask smoothed = skin, hand(skin.width(), skin.height());
+  smooth(smoothed);
+  const Regions regions(smoothed);
+  const auto largest = regions.largest(options.min_area_px, roi);
+  if (!largest) return hand;
+  for (std::size_t i = 0; i < regions.all().size(); ++i) {
+    if (i == *largest || is_piece(regions.all()[i], regions.all()[*largest], hand))
+      regions.paint(i, hand);
+  }
+  if (!has_shape_of_hand(hand)) return {skin.width(), skin.height()};
+  return cut_forearm(hand);
 }
 
 std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi,
@@ -119,9 +124,8 @@ std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box
 }
 
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi, const SkinOptions& options) {
-  std::optional<Mask> region = find_region(frame, roi, options);
-  if (!region) return {frame.width(), frame.height()};
-  return hand_in(std::move(*region));
+  const std::optional<Mask> region = find_region(frame, roi, options);
+  return region ? isolate_hand(*region) : Mask(frame.width(), frame.height());
 }
 
 }  // namespace graspdb

@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Connected regions from runs of pixels: runs of neighbouring rows that touch are joined.
+#include "regions.h"
+
 #include <algorithm>
-#include <numeric>
 
 #include "graspdb/error.h"
 #include "graspdb/segmentation.h"
 
 namespace graspdb {
-namespace {
-
-struct Run {
-  int y, begin, end;  // begin <= x < end
-};
-
-class Regions {
- public:
-  explicit Regions(const Mask& mask);
-
-  const std::vector<Run>& runs() const { return runs_; }
-  std::size_t root(std::size_t run);
-
- private:
-  void add_row(const Mask& mask, int y);
-  void join_rows(std::size_t above, std::size_t here);
-
-  std::vector<Run> runs_;
-  std::vector<std::size_t> parent_;
-};
 
 Regions::Regions(const Mask& mask) {
   std::size_t above = 0;
@@ -36,6 +16,7 @@ Regions::Regions(const Mask& mask) {
     join_rows(above, here);
     above = here;
   }
+  number_regions();
 }
 
 void Regions::add_row(const Mask& mask, int y) {
@@ -47,7 +28,7 @@ void Regions::add_row(const Mask& mask, int y) {
     if (first == end) return;
     x = std::find_if_not(first, end, inside);
     parent_.push_back(runs_.size());
-    runs_.push_back({y, static_cast<int>(first - row), static_cast<int>(x - row)});
+    runs_.push_back({y, static_cast<int>(first - row), static_cast<int>(x - row), 0});
   }
 }
 
@@ -56,7 +37,10 @@ void Regions::join_rows(std::size_t above, std::size_t here) {
   const std::size_t end = runs_.size();
   for (std::size_t a = above, b = here; a < here && b < end;) {
     const bool touch = runs_[a].begin <= runs_[b].end && runs_[b].begin <= runs_[a].end;
-    if (touch) parent_[root(b)] = root(a);
+    if (touch) {
+      const std::size_t one = root(a), other = root(b);
+      parent_[std::max(one, other)] = std::min(one, other);
+    }
     if (runs_[a].end < runs_[b].end) {
       ++a;
     } else {
@@ -70,37 +54,54 @@ std::size_t Regions::root(std::size_t run) {
   return run;
 }
 
-bool overlaps(const Run& run, const Box& box) {
-  return run.y >= box.y && run.y < box.y + box.height && run.begin < box.x + box.width &&
-         run.end > box.x;
+// A root is the first of its runs, so that it has its number before the others ask for it.
+void Regions::number_regions() {
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    Run& run = runs_[i];
+    const std::size_t first = root(i);
+    run.region = first == i ? regions_.size() : runs_[first].region;
+    if (first == i) regions_.push_back({0, {run.begin, run.y, 0, 0}});
+    Region& region = regions_[run.region];
+    region.area_px += run.end - run.begin;
+    const int right = std::max(region.box.x + region.box.width, run.end);
+    region.box.x = std::min(region.box.x, run.begin);
+    region.box.width = right - region.box.x;
+    region.box.height = run.y + 1 - region.box.y;
+  }
 }
 
-}  // namespace
+bool Regions::reaches(std::size_t region, const Box& box) const {
+  return std::any_of(runs_.begin(), runs_.end(), [&](const Run& run) {
+    return run.region == region && run.y >= box.y && run.y < box.y + box.height &&
+           run.begin < box.x + box.width && run.end > box.x;
+  });
+}
+
+std::optional<std::size_t> Regions::largest(int min_area_px, const std::optional<Box>& roi) const {
+  std::optional<std::size_t> largest;
+  for (std::size_t i = 0; i < regions_.size(); ++i) {
+    if (regions_[i].area_px < min_area_px) continue;
+    if (largest && regions_[i].area_px <= regions_[*largest].area_px) continue;
+    if (!roi || reaches(i, *roi)) largest = i;
+  }
+  return largest;
+}
+
+void Regions::paint(std::size_t region, Mask& mask) const {
+  for (const Run& run : runs_) {
+    if (run.region != region) continue;
+    std::fill(mask.row(run.y) + run.begin, mask.row(run.y) + run.end, std::uint8_t{255});
+  }
+}
 
 std::optional<Mask> largest_region(const Mask& mask, int min_area_px,
                                    const std::optional<Box>& roi) {
   GRASPDB_CHECK(min_area_px >= 0);
-  Regions regions(mask);
-  const std::vector<Run>& runs = regions.runs();
-  std::vector<int> area(runs.size());
-  std::vector<bool> in_roi(runs.size(), !roi.has_value());
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const std::size_t root = regions.root(i);
-    area[root] += runs[i].end - runs[i].begin;
-    if (roi && overlaps(runs[i], *roi)) in_roi[root] = true;
-  }
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!in_roi[i]) area[i] = 0;
-  }
-  const auto largest = std::max_element(area.begin(), area.end());
-  if (largest == area.end() || *largest < std::max(min_area_px, 1)) return std::nullopt;
-  const auto chosen = static_cast<std::size_t>(largest - area.begin());
+  const Regions regions(mask);
+  const auto largest = regions.largest(min_area_px, roi);
+  if (!largest) return std::nullopt;
   Mask region(mask.width(), mask.height());
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (regions.root(i) != chosen) continue;
-    std::fill(region.row(runs[i].y) + runs[i].begin, region.row(runs[i].y) + runs[i].end,
-              std::uint8_t{255});
-  }
+  regions.paint(*largest, region);
   return region;
 }
 

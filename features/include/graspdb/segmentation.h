@@ -48,9 +48,9 @@ std::optional<Mask> largest_region(const Mask& mask, int min_area_px,
 // is not connected with the arm stays.
 Mask cut_forearm(const Mask& hand);
 
-// The hand in a mask: the region of largest_region, the pieces around it that an object before
-// the hand has cut off, their edges smoothed, without the forearm. All 0 when there is none, or
-// when its outline or its share of the picture's border is none of a hand with its arm.
+// The hand in a mask: of the smoothed mask the region of largest_region and the pieces around it
+// that an object before the hand has cut off, without the forearm. All 0 when there is none, or when
+// its outline or its share of the picture's border is none of a hand with its arm.
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi = {},
                   const SkinOptions& options = {});
 
