@@ -25,9 +25,9 @@ double descriptor_distance(const Neighbor& neighbour) {
 }
 
 // How often answers of the training sequences (alpha 0 and 2 %) are right to 30 degrees, by the
-// distance of the nearest descriptor: a logistic curve drawn through them.
+// distance of the nearest descriptor: scripts/fit_confidence.py drew the curve through them.
 double confidence_at(double distance) {
-  constexpr double kHalf = 3.3, kWidth = 0.9;
+  constexpr double kHalf = 3.9, kWidth = 1.2;
   return 1 / (1 + std::exp((distance - kHalf) / kWidth));
 }
 
