@@ -145,6 +145,59 @@ TEST(SequenceSets, AFifthHasNoObject) {
   }
 }
 
+TEST(SequenceSets, ShareNoPose) {
+  for (const SequenceSpec& train : sets().train) {
+    const JointAngles known = closed(train).angles;
+    for (const SequenceSpec& test : sets().test)
+      EXPECT_GE(mean_joint_difference_deg(closed(test).angles, known), 5)
+          << train.name << ", " << test.name;
+  }
+}
+
+// Of one thing over all sequences of a set.
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+double turn_deg(const Keyframe& from, const Keyframe& to) {
+  return rotation_deg(camera_from_view(from.view), camera_from_view(to.view));
+}
+
+double turn_deg_per_second(const SequenceSpec& spec) {
+  double turn = 0;
+  for (std::size_t i = 1; i < spec.keyframes.size(); ++i)
+    turn += turn_deg(spec.keyframes[i - 1], spec.keyframes[i]);
+  return turn / (spec.keyframes.back().time - spec.keyframes.front().time);
+}
+
+TEST(SequenceSets, SpreadOverForearmLensDistanceWristAndSpeed) {
+  for (const auto& set : {sets().train, sets().test}) {
+    Range forearm_m, focal_px, distance_m, wrist_deg, speed;
+    for (const SequenceSpec& spec : set) {
+      forearm_m.add(spec.visible_forearm);
+      focal_px.add(spec.camera.fx);
+      speed.add(turn_deg_per_second(spec));
+      for (const Keyframe& key : spec.keyframes) {
+        distance_m.add(key.palm.norm());
+        wrist_deg.add(key.wrist.minCoeff() * 180 / M_PI);
+        wrist_deg.add(key.wrist.maxCoeff() * 180 / M_PI);
+      }
+    }
+    EXPECT_EQ(forearm_m.low, 0);
+    EXPECT_EQ(forearm_m.high, 0.2);
+    EXPECT_GT(focal_px.high, 2 * focal_px.low);
+    EXPECT_GT(distance_m.high, 2.5 * distance_m.low);
+    EXPECT_GE(wrist_deg.low, -40.001);
+    EXPECT_LE(wrist_deg.high, 40.001);
+    EXPECT_GT(wrist_deg.high - wrist_deg.low, 70);
+    EXPECT_GT(speed.high, 2.5 * speed.low);
+  }
+}
+
 TEST(SequenceSets, NinetyPercentOfGraspingFramesAreFiveDegreesFromTheDatabase) {
   const std::vector<JointAngles> known = database_poses();
   for (const SequenceSpec& spec : sets().all()) {
