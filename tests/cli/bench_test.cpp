@@ -73,7 +73,8 @@ TEST_F(Bench, EveryStageHasItsPercentilesAndTheyAddUp) {
 
 TEST_F(Bench, FramesAreReadWithTheDefaultsOfTrack) {
   const TrackerOptions tuned = tuned_options(TemporalModel::kKde);
-  for (const json& one : tracker("--frames 2 --video " + path("small")).at("trackers")) {
+  const json bench = tracker("--frames 2 --video " + path("small"));
+  for (const json& one : bench.at("trackers")) {
     EXPECT_EQ(one.at("temporal"), "kde");
     EXPECT_EQ(one.at("options").at("neighbours"), tuned.neighbours);
     EXPECT_EQ(one.at("options").at("sigma_hog"), tuned.sigma_hog);
