@@ -47,6 +47,7 @@ $python scripts/claims.py --main "$out" --held "$out/held" --free "$out/free" --
     --seen-grasp "$out/seen_grasp" --bench "$out/bench.json" --photoreal "$out/photoreal" --out "$out/claims.md"
 
 $python scripts/confusability.py "$databases/held.graspdb" --out "$out/plots/confusability.png"
+$python scripts/worst_frames.py "$out" --db "$databases/hands.graspdb" --sequences "sequences/$set" --out "$out/plots/worst.jpg"
 for sequence in "sequences/$set"/*.seq.toml; do
     "$graspdb" sequence "$sequence" --alpha 0.5 --out "$out/rendered/$(basename "$sequence" .seq.toml)"
 done
