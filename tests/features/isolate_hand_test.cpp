@@ -94,10 +94,13 @@ TEST(IsolateHand, WhatComesInFromTheBorderIsNoPiece) {
   const Mask hand = isolate_hand(cut_in_two({270, 0, 20, 60}));
   EXPECT_EQ(hand.at(280, 50), 0);
   EXPECT_EQ(hand.at(160, 52), 255);
+  const Mask beside_a_corner = isolate_hand(cut_in_two({0, 0, 30, 30}));
+  EXPECT_EQ(beside_a_corner.at(15, 15), 0);
+  EXPECT_EQ(beside_a_corner.at(160, 52), 255);
 }
 
 TEST(IsolateHand, SpecksAndSkinFarAwayAreNoPieces) {
-  EXPECT_EQ(isolate_hand(cut_in_two({230, 90, 2, 2})).at(231, 91), 0);
+  EXPECT_EQ(isolate_hand(cut_in_two({230, 90, 4, 4})).at(231, 91), 0);
   Mask wide(4 * kWidth, kHeight);
   const Mask near = cut_in_two({});
   for (int y = 0; y < kHeight; ++y) std::copy_n(near.row(y), kWidth, wide.row(y));
