@@ -11,6 +11,7 @@
 #include "graspdb/file.h"
 #include "graspdb/metrics.h"
 #include "graspdb/sequence.h"
+#include "graspdb/transform.h"
 
 namespace graspdb {
 namespace {
@@ -163,15 +164,12 @@ struct Range {
   }
 };
 
-double turn_deg(const Keyframe& from, const Keyframe& to) {
-  return rotation_deg(camera_from_view(from.view), camera_from_view(to.view));
-}
-
 double turn_deg_per_second(const SequenceSpec& spec) {
-  double turn = 0;
-  for (std::size_t i = 1; i < spec.keyframes.size(); ++i)
-    turn += turn_deg(spec.keyframes[i - 1], spec.keyframes[i]);
-  return turn / (spec.keyframes.back().time - spec.keyframes.front().time);
+  const std::vector<Keyframe>& keys = spec.keyframes;
+  double turn_deg = 0;
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    turn_deg += rotation_deg(camera_from_view(keys[i - 1].view), camera_from_view(keys[i].view));
+  return turn_deg / (keys.back().time - keys.front().time);
 }
 
 TEST(SequenceSets, SpreadOverForearmLensDistanceWristAndSpeed) {
@@ -183,8 +181,8 @@ TEST(SequenceSets, SpreadOverForearmLensDistanceWristAndSpeed) {
       speed.add(turn_deg_per_second(spec));
       for (const Keyframe& key : spec.keyframes) {
         distance_m.add(key.palm.norm());
-        wrist_deg.add(key.wrist.minCoeff() * 180 / M_PI);
-        wrist_deg.add(key.wrist.maxCoeff() * 180 / M_PI);
+        wrist_deg.add(degrees(key.wrist.minCoeff()));
+        wrist_deg.add(degrees(key.wrist.maxCoeff()));
       }
     }
     EXPECT_EQ(forearm_m.low, 0);
