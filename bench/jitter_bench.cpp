@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "graspdb/closing.h"
-#include "graspdb/file.h"
-#include "graspdb/parallel.h"
-#include "graspdb/rig.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/hand/rig/rig.h"
 #include "jitter.h"
 
 namespace graspdb {

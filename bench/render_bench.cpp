@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "graspdb/file.h"
-#include "graspdb/posed_scene.h"
+#include "graspdb/core/file.h"
+#include "graspdb/generator/posed_scene.h"
 #include "packet.h"
 #include "plan.h"
 #include "rows.h"

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "graspdb/parallel.h"
-#include "graspdb/search.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/database/search.h"
 #include "support/ball_hands.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"

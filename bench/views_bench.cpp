@@ -2,7 +2,7 @@
 // The table of docs/views.md: how far random rotations are from the nearest of a set of views.
 #include <fmt/format.h>
 
-#include "graspdb/views.h"
+#include "graspdb/generator/views.h"
 #include "support/nearest_views.h"
 
 namespace graspdb {

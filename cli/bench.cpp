@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench_tracker.h"
 #include "console.h"
-#include "graspdb/metrics.h"
-#include "graspdb/search.h"
-#include "graspdb/stopwatch.h"
-#include "held_out_queries.h"
+#include "graspdb/bench/held_out_queries.h"
+#include "graspdb/bench/tracker_bench.h"
+#include "graspdb/core/stopwatch.h"
+#include "graspdb/database/search.h"
+#include "graspdb/evaluation/metrics.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
@@ -55,14 +55,15 @@ json bench_searches(const Database& database, const Options& options) {
 
 void run(const Options& options) {
   const Database database = Database::open(options.database);
-  const TrackerBench tracker = bench_tracker(database, options.video, options.frames);
-  if (!options.json) print(tracker);
+  const TrackerBench tracker = bench_tracker(database, options.video, options.frames,
+                                             console_progress("rendered", "frames"));
+  if (!options.json) fmt::print("{}\n", bench_table(tracker));
   const json searches = bench_searches(database, options);
   if (!options.json) return;
   fmt::print(
       "{}\n",
-      json{{"rows", database.rows()}, {"searches", searches}, {"tracker", to_json(tracker)}}.dump(
-          1));
+      json{{"rows", database.rows()}, {"searches", searches}, {"tracker", bench_json(tracker)}}
+          .dump(1));
 }
 
 }  // namespace

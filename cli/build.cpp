@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "console.h"
-#include "graspdb/error.h"
-#include "graspdb/generator.h"
+#include "graspdb/core/error.h"
+#include "graspdb/generator/generator.h"
+#include "graspdb/grasps/grasp.h"
+#include "graspdb/hand/rig/rig.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
@@ -41,7 +43,7 @@ BuildConfig config_of(const Options& options) {
   BuildConfig config;
   if (!options.config_file.empty()) config = load_config(options.config_file);
   for (const auto& override : options.override) override(config);
-  if (config.hands.empty()) config.hands = {default_hand()};
+  if (config.hands.empty()) config.hands = {default_hand_file()};
   if (config.grasps.empty()) config.grasps = grasp_directory();
   return config;
 }

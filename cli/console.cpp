@@ -8,9 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-
 namespace graspdb::cli {
 namespace {
 
@@ -65,32 +62,6 @@ Progress console_progress(const std::string& what, const std::string& unit) {
 
 std::string check_not_nan(const std::string& number) {
   return std::isnan(std::strtod(number.c_str(), nullptr)) ? number + ": not a number" : "";
-}
-
-std::filesystem::path default_hand() {
-  return data_directory() / "assets/hands/male.glb";
-}
-
-std::filesystem::path grasp_directory() {
-  return data_directory() / "grasps";
-}
-
-std::filesystem::path index_file(const Database& database, const std::string& method) {
-  return database.path().string() + "." + method;
-}
-
-const std::vector<std::string>& search_names() {
-  static const std::vector<std::string> names = {"exact", "scan", "lsh"};
-  return names;
-}
-
-std::unique_ptr<Search> open_search(const Database& database, const std::string& method) {
-  if (method == "exact") return make_exact_search(database);
-  if (method == "scan") return make_scan_search(database);
-  GRASPDB_CHECK(method == "lsh");
-  const auto index = index_file(database, method);
-  return std::filesystem::exists(index) ? load_lsh_search(index, database)
-                                        : make_lsh_search(database);
 }
 
 }  // namespace graspdb::cli

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "graspdb/database.h"
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
+#include "graspdb/database/database.h"
 #include "verbs.h"
 
 namespace graspdb::cli {

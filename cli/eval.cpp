@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "console.h"
-#include "eval_files.h"
-#include "graspdb/error.h"
-#include "graspdb/evaluate.h"
-#include "graspdb/file.h"
-#include "nearest_object.h"
-#include "report.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/evaluation/eval_files.h"
+#include "graspdb/evaluation/evaluate.h"
+#include "graspdb/evaluation/nearest_object.h"
+#include "graspdb/evaluation/tables.h"
 #include "sequence_set.h"
 #include "tracker_options.h"
 #include "verbs.h"
@@ -62,12 +62,15 @@ void run(const Options& options) {
     report.sequences.push_back(evaluate(database, grid, *search, frames, settings,
                                         console_progress(frames.name + ":", "passes")));
     if (options.json) continue;
-    print(report.sequences.back());
+    fmt::print("{}", sequence_table(report.sequences.back()));
     fmt::print("object: {}\n", objects.beside(renderer->spec()));
   }
   if (report.sequences.empty()) throw Error("every sequence is left out");
   report.set = summarize_set(report.sequences, options.noise.seed);
-  if (!options.json) print(report.set, report.sequences.front().kind, report.sequences.size());
+  if (!options.json) {
+    fmt::print("{}",
+               set_tables(report.set, report.sequences.front().kind, report.sequences.size()));
+  }
   nlohmann::json json = eval_json(report);
   json["database"] = {{"content_hash", database.content_hash()}, {"rows", database.rows()}};
   for (const TrackerOptions& tracker : settings.trackers)

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "console.h"
-#include "graspdb/export_coco.h"
+#include "graspdb/pictures/export_coco.h"
 #include "row_selection.h"
 #include "verbs.h"
 

@@ -6,14 +6,14 @@
 #include <mutex>
 
 #include "console.h"
-#include "grasp_report.h"
-#include "grasp_sheet.h"
 #include "grasp_template.h"
-#include "graspdb/closing.h"
-#include "graspdb/error.h"
-#include "graspdb/image_io.h"
-#include "graspdb/parallel.h"
-#include "graspdb/rig.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/grasps/grasp_report.h"
+#include "graspdb/hand/rig/rig.h"
+#include "graspdb/pictures/grasp_sheet.h"
+#include "graspdb/renderer/image_io.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
@@ -39,7 +39,8 @@ std::filesystem::path directory_of(const Options& options) {
 }
 
 Hand chosen_hand(const Options& options) {
-  return load_hand(options.hand.empty() ? default_hand() : std::filesystem::path(options.hand));
+  return load_hand(options.hand.empty() ? default_hand_file()
+                                        : std::filesystem::path(options.hand));
 }
 
 void run_list() {
@@ -58,14 +59,14 @@ void run_check(const Options& options) {
   });
   nlohmann::json list = nlohmann::json::array();
   for (std::size_t i = 0; i < grasps.size(); ++i) {
-    list.push_back(to_json(grasps[i], hand, checks[i]));
+    list.push_back(check_json(grasps[i], hand, checks[i]));
   }
   if (options.json) {
     fmt::print("{}\n", nlohmann::json{{"grasps", list}}.dump(1));
   } else if (options.file.empty()) {
-    print_summary(grasps, checks);
+    fmt::print("{}", summary_table(grasps, checks));
   } else {
-    print_steps(grasps.front(), checks.front());
+    fmt::print("{}", step_table(grasps.front(), checks.front()));
   }
   const auto failed =
       std::count_if(checks.begin(), checks.end(), [](const GraspCheck& c) { return !c.pass; });

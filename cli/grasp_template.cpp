@@ -7,9 +7,9 @@
 #include <cctype>
 #include <set>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/text.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/text.h"
 
 namespace graspdb::cli {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "graspdb/hand_maker.h"
-#include "graspdb/image_io.h"
-#include "graspdb/rig.h"
-#include "hand_sheet.h"
+#include "graspdb/hand/maker/hand_maker.h"
+#include "graspdb/hand/rig/rig.h"
+#include "graspdb/pictures/hand_sheet.h"
+#include "graspdb/renderer/image_io.h"
 #include "hand_verbs.h"
 #include "verbs.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/hand_check.h"
+#include "graspdb/hand/check/hand_check.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/error.h"
-#include "graspdb/hand_file_check.h"
-#include "graspdb/hand_maker.h"
-#include "graspdb/rig.h"
+#include "graspdb/core/error.h"
+#include "graspdb/hand/check/hand_file_check.h"
+#include "graspdb/hand/maker/hand_maker.h"
+#include "graspdb/hand/rig/rig.h"
 #include "hand_verbs.h"
 
 namespace graspdb::cli {

@@ -3,10 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "graspdb/database.h"
-#include "graspdb/image_io.h"
+#include "graspdb/database/database.h"
+#include "graspdb/pictures/row_sheet.h"
+#include "graspdb/renderer/image_io.h"
 #include "row_selection.h"
-#include "row_sheet.h"
 #include "verbs.h"
 
 namespace graspdb::cli {

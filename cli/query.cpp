@@ -5,53 +5,40 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "console.h"
-#include "frame_source.h"
-#include "graspdb/error.h"
-#include "graspdb/hog.h"
-#include "graspdb/image_io.h"
-#include "graspdb/segmentation.h"
-#include "row_sheet.h"
+#include "graspdb/core/error.h"
+#include "graspdb/pictures/row_sheet.h"
+#include "graspdb/renderer/image_io.h"
+#include "graspdb/tracker/hand_reader.h"
+#include "graspdb/video/frame_source.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
 namespace {
 
 struct Options {
-  std::string database, image, mask, search = "exact", out;
+  std::string database, image, mask, search = kDefaultSearch, out;
   int count = 20;
   bool json = false;
 };
 
 struct Query {
   ColorImage picture;
-  Mask hand;
-  Box box;
+  Estimate seen;
 };
-
-// As `graspdb track` finds the hand in a frame.
-Query read_query(const Options& options) {
-  Query query{.picture = read_color(options.image)};
-  query.hand = options.mask.empty() ? find_hand(query.picture)
-                                    : isolate_hand(read_mask(options.mask, query.picture));
-  const auto box = tight_box(query.hand);
-  if (!box) throw Error({.file = options.image, .expected = "a hand", .found = "none"});
-  query.box = *box;
-  return query;
-}
 
 // The square around the hand; what is not hand is pale.
 ColorImage hand_picture(const Query& query) {
-  const Box& box = query.box;
+  const Box& box = query.seen.box;
+  const Mask& hand = query.seen.hand;
   const int side = std::max(box.width, box.height) * 11 / 10;
   const int left = box.x + (box.width - side) / 2, top = box.y + (box.height - side) / 2;
   ColorImage square(side, side, {250, 250, 250});
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const int u = left + x, v = top + y;
-      if (u < 0 || v < 0 || u >= query.hand.width() || v >= query.hand.height()) continue;
+      if (u < 0 || v < 0 || u >= hand.width() || v >= hand.height()) continue;
       Bgr& pixel = square.at(x, y) = query.picture.at(u, v);
-      if (query.hand.at(u, v) != 0) continue;
+      if (hand.at(u, v) != 0) continue;
       for (std::uint8_t& channel : pixel) channel = static_cast<std::uint8_t>(190 + channel / 4);
     }
   }
@@ -59,8 +46,8 @@ ColorImage hand_picture(const Query& query) {
 }
 
 // A row's 255 counts as 1, as in `graspdb track`.
-double distance(const Neighbor& neighbour) {
-  return std::sqrt(static_cast<double>(neighbour.squared_distance)) / 255;
+double distance(const Neighbor& neighbor) {
+  return std::sqrt(static_cast<double>(neighbor.squared_distance)) / 255;
 }
 
 const std::string& grasp_name(const Database& database, std::size_t row) {
@@ -68,29 +55,29 @@ const std::string& grasp_name(const Database& database, std::size_t row) {
 }
 
 void print_json(const Database& database, const Query& query,
-                const std::vector<Neighbor>& neighbours) {
+                const std::vector<Neighbor>& neighbors) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Neighbor& neighbour : neighbours) {
-    const std::size_t row = neighbour.row;
+  for (const Neighbor& neighbor : neighbors) {
+    const std::size_t row = neighbor.row;
     list.push_back({{"row", row},
-                    {"distance", distance(neighbour)},
+                    {"distance", distance(neighbor)},
                     {"grasp", {{"id", database.grasp(row)}, {"name", grasp_name(database, row)}}},
                     {"step", database.step(row)},
                     {"view", database.view(row)},
                     {"hand", database.info().hands[database.hand(row)].name},
                     {"variant", database.info().variants[database.variant(row)]}});
   }
-  const Box& box = query.box;
+  const Box& box = query.seen.box;
   const nlohmann::ordered_json answer{{"box", {box.x, box.y, box.width, box.height}},
                                       {"neighbours", std::move(list)}};
   fmt::print("{}\n", answer.dump(1));
 }
 
-void print_text(const Database& database, const std::vector<Neighbor>& neighbours) {
+void print_text(const Database& database, const std::vector<Neighbor>& neighbors) {
   fmt::print("distance      row  grasp                           step  view\n");
-  for (const Neighbor& neighbour : neighbours) {
-    const std::size_t row = neighbour.row;
-    fmt::print("{:8.3f} {:8}  {:5} {:<25} {:4} {:5}  {}, {}\n", distance(neighbour), row,
+  for (const Neighbor& neighbor : neighbors) {
+    const std::size_t row = neighbor.row;
+    fmt::print("{:8.3f} {:8}  {:5} {:<25} {:4} {:5}  {}, {}\n", distance(neighbor), row,
                database.grasp(row), grasp_name(database, row), database.step(row),
                database.view(row), database.info().hands[database.hand(row)].name,
                database.info().variants[database.variant(row)]);
@@ -98,25 +85,34 @@ void print_text(const Database& database, const std::vector<Neighbor>& neighbour
 }
 
 void draw(const Options& options, const Database& database, const Query& query,
-          const std::vector<Neighbor>& neighbours) {
+          const std::vector<Neighbor>& neighbors) {
   std::vector<std::size_t> rows;
-  for (const Neighbor& neighbour : neighbours) rows.push_back(neighbour.row);
+  for (const Neighbor& neighbor : neighbors) rows.push_back(neighbor.row);
   const std::string title = std::filesystem::path(options.image).filename().string() + " in " +
                             database.path().filename().string();
   write_png(options.out, draw_row_sheet(database, rows, title, hand_picture(query)));
 }
 
+Query read_query(const Options& options, HandReader& reader) {
+  Query query{.picture = read_color(options.image)};
+  const Intrinsics camera = guess_camera(query.picture.width(), query.picture.height());
+  query.seen = options.mask.empty()
+                   ? reader.read(query.picture, camera)
+                   : reader.read(query.picture, read_mask(options.mask, query.picture), camera);
+  if (query.seen.box.width > 0) return query;
+  throw Error({.file = options.image, .expected = "a hand", .found = "none"});
+}
+
 void run(const Options& options) {
   const Database database = Database::open(options.database);
-  const Query query = read_query(options);
-  const Descriptor hog = describe(to_gray(query.picture), query.hand,
-                                  hog_from_name(database.info().hog, options.database));
-  const auto neighbours = open_search(database, options.search)->nearest(hog, options.count);
-  if (!options.out.empty()) draw(options, database, query, neighbours);
+  HandReader reader(database, {}, options.search);
+  const Query query = read_query(options, reader);
+  const auto neighbors = reader.search().nearest(query.seen.descriptor, options.count);
+  if (!options.out.empty()) draw(options, database, query, neighbors);
   if (options.json) {
-    print_json(database, query, neighbours);
+    print_json(database, query, neighbors);
   } else {
-    print_text(database, neighbours);
+    print_text(database, neighbors);
   }
 }
 

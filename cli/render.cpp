@@ -4,14 +4,14 @@
 #include <optional>
 
 #include "console.h"
-#include "graspdb/database_rows.h"
-#include "graspdb/error.h"
-#include "graspdb/image_io.h"
-#include "graspdb/pose_file.h"
-#include "graspdb/rig.h"
-#include "graspdb/write_view.h"
+#include "graspdb/core/error.h"
+#include "graspdb/hand/rig/rig.h"
+#include "graspdb/pictures/database_rows.h"
+#include "graspdb/pictures/pose_file.h"
+#include "graspdb/pictures/view_sheet.h"
+#include "graspdb/pictures/write_view.h"
+#include "graspdb/renderer/image_io.h"
 #include "verbs.h"
-#include "view_sheet.h"
 
 namespace graspdb::cli {
 namespace {
@@ -33,7 +33,7 @@ struct Rendered {
 
 BuildConfig config_of(const Options& options) {
   BuildConfig config = options.config;
-  config.hands = {options.hand.empty() ? default_hand() : std::filesystem::path(options.hand)};
+  config.hands = {options.hand.empty() ? default_hand_file() : std::filesystem::path(options.hand)};
   if (config.grasps.empty()) config.grasps = grasp_directory();
   if (options.resolution) config.resolution = *options.resolution;
   config.visible_forearm = options.visible_forearm_mm / 1000;
@@ -79,7 +79,7 @@ Rendered render_pose(const Options& options) {
   const Subject subject(hand,
                         {.pose = bare, .scene = pose_scene(hand, bare, nullptr), .held = false});
   const PosedScene& scene = subject.pose().scene;
-  const Camera camera = crop_camera(pose.camera_from_hand, scene.centre, config.distance,
+  const Camera camera = crop_camera(pose.rotation, scene.center, config.distance,
                                     scene.hand_vertices, config.resolution);
   return {subject.seen(camera, config.light, kAllLayers), {.hand = hand.name, .variant = "free"}};
 }

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <string_view>
 
-#include "graspdb/error.h"
-#include "graspdb/random.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "graspdb/database.h"
+#include "graspdb/database/database.h"
 
 namespace graspdb::cli {
 

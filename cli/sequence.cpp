@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/sequence.h"
+#include "graspdb/sequences/sequence.h"
 
 #include <fmt/format.h>
 
 #include "console.h"
-#include "graspdb/closing.h"
+#include "graspdb/grasps/closing.h"
 #include "verbs.h"
 
 namespace graspdb::cli {
@@ -13,7 +13,7 @@ namespace {
 struct Options {
   std::string file, out, meshes, hand;
   std::optional<double> fps;
-  NoiseOptions noise;
+  SequenceNoise noise;
   bool close = false;
 };
 

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "console.h"
-#include "graspdb/error.h"
-#include "graspdb/photoreal.h"
-#include "graspdb/rig.h"
+#include "graspdb/core/error.h"
+#include "graspdb/hand/rig/rig.h"
+#include "graspdb/sequences/photoreal.h"
 
 namespace graspdb::cli {
 namespace {

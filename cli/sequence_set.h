@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "graspdb/evaluate.h"
+#include "graspdb/evaluation/evaluate.h"
 
 namespace graspdb::cli {
 

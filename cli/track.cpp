@@ -6,20 +6,20 @@
 #include <opencv2/highgui.hpp>
 
 #include "console.h"
-#include "frame_source.h"
-#include "graspdb/error.h"
-#include "graspdb/evaluate.h"
-#include "graspdb/file.h"
-#include "graspdb/hog.h"
-#include "graspdb/segmentation.h"
-#include "graspdb/stopwatch.h"
-#include "overlay.h"
-#include "report.h"
-#include "row_picture.h"
-#include "track_json.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/opencv/opencv_image.h"
+#include "graspdb/evaluation/evaluate.h"
+#include "graspdb/evaluation/tables.h"
+#include "graspdb/pictures/estimate_picture.h"
+#include "graspdb/pictures/overlay.h"
+#include "graspdb/tracker/estimate_json.h"
+#include "graspdb/tracker/hand_reader.h"
+#include "graspdb/video/frame_source.h"
+#include "graspdb/video/video_writer.h"
+#include "track_statistics.h"
 #include "tracker_options.h"
 #include "verbs.h"
-#include "video_writer.h"
 
 namespace graspdb::cli {
 namespace {
@@ -40,12 +40,20 @@ void end_loop_on_signals() {
 struct Options {
   std::string database, input, masks, json, video;
   std::string handedness = "right";
-  TrackerSettings tracker{.search = "scan"};  // finds nearly the same in less time and memory
-  double focal_px = 0;                        // 0: guessed
+  TrackerSettings tracker;
+  double focal_px = 0;  // 0: guessed
   std::vector<int> roi;
   SkinOptions skin;
   bool show = false;
 };
+
+ReaderOptions reader_options(const Options& options) {
+  ReaderOptions reader{.tracker = options.tracker.options(), .skin = options.skin};
+  reader.left_hand = options.handedness == "left";
+  const std::vector<int>& roi = options.roi;
+  if (!roi.empty()) reader.roi = Box{roi[0], roi[1], roi[2], roi[3]};
+  return reader;
+}
 
 // Everything that one run of the verb keeps between frames.
 class Run {
@@ -54,14 +62,10 @@ class Run {
       : options_(options),
         source_(open_source(options.input, options.masks)),
         database_(Database::open(options.database)),
-        search_(open_search(database_, options.tracker.search)),
-        tracker_(database_, *search_, tracker_options()),
-        hog_(hog_from_name(database_.info().hog, options.database)) {
-    if (!options.roi.empty())
-      roi_ = Box{options.roi[0], options.roi[1], options.roi[2], options.roi[3]};
+        reader_(database_, reader_options(options), options.tracker.search) {
     if (!options.json.empty()) json_.emplace(options.json);
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
-    if (video_ || options.show) row_picture_.emplace(database_, tracker_options().left_hand);
+    if (video_ || options.show) answer_.emplace(database_, options.handedness == "left");
   }
 
   void all_frames() {
@@ -88,12 +92,6 @@ class Run {
   }
 
  private:
-  TrackerOptions tracker_options() const {
-    TrackerOptions settings = options_.tracker.options();
-    settings.left_hand = options_.handedness == "left";
-    return settings;
-  }
-
   // The pictures of a folder may be of several sizes.
   void fit_camera(const ColorImage& frame) {
     const auto fits = [&frame](const Intrinsics& camera) {
@@ -108,7 +106,7 @@ class Run {
                    fmt::format("{} x {}", frame.width(), frame.height())});
     }
     const bool first = !camera_;
-    camera_ = guess_camera(frame, options_.focal_px);
+    camera_ = guess_camera(frame.width(), frame.height(), options_.focal_px);
     if (first && options_.focal_px <= 0) {
       fmt::print(stderr, "no --focal: {:.0f} px is taken, a guess; distances scale with it\n",
                  camera_->fx);
@@ -116,36 +114,40 @@ class Run {
   }
 
   void one_frame(const InputFrame& frame) {
-    const Stopwatch watch;
-    const GrayImage gray = to_gray(frame.color);
-    const Mask hand =
-        frame.mask ? isolate_hand(*frame.mask, roi_) : find_hand(frame.color, roi_, options_.skin);
-    const double segment_ms = watch.ms();
-    const Estimate estimate = tracker_.step({gray, hand, *camera_});
-    const double total_ms = watch.ms();
-    statistics_.add(estimate, segment_ms, total_ms);
-    if (json_) json_->write(to_json_line(frame, estimate, database_, segment_ms, total_ms) + "\n");
-    if (row_picture_) draw(frame, gray, hand, estimate);
+    const Estimate estimate = frame.mask ? reader_.read(frame.color, *frame.mask, *camera_)
+                                         : reader_.read(frame.color, *camera_);
+    statistics_.add(estimate);
+    if (json_) json_->write(estimate_json(frame.index, frame.time, estimate, database_) + "\n");
+    if (video_ || options_.show) draw(frame, estimate);
     if (source_->sequence()) compare_with_truth(frame, estimate);
   }
 
-  void draw(const InputFrame& frame, const GrayImage& gray, const Mask& hand,
-            const Estimate& estimate) {
-    std::optional<ColorImage> row;
-    if (estimate.valid) row = row_picture_->draw(estimate, kOverlayHeight);
+  void draw(const InputFrame& frame, const Estimate& estimate) {
+    const std::optional<ColorImage> answer = picture_of(estimate);
     const std::string caption =
         estimate.valid ? fmt::format("{}  grasp {} step {}  confidence {:.2f}", frame.index,
                                      estimate.grasp, estimate.step, estimate.confidence)
                        : fmt::format("{}  no hand", frame.index);
-    const ColorImage overlay = draw_overlay(
-        {frame.color, hand, estimate, describe(gray, hand, hog_), row, caption}, kOverlayHeight);
+    const ColorImage overlay =
+        draw_overlay({frame.color, estimate, answer, caption}, kOverlayHeight);
     if (video_) video_->write(overlay);
     if (options_.show) show(overlay);
   }
 
+  // The hand and grasp files may be gone: then the panel stays empty, and that is told once.
+  std::optional<ColorImage> picture_of(const Estimate& estimate) {
+    if (!estimate.valid || !answer_) return std::nullopt;
+    try {
+      return answer_->draw(estimate, kOverlayHeight);
+    } catch (const Error& error) {
+      fmt::print(stderr, "answers are not drawn: {}\n", error.what());
+      answer_.reset();
+      return std::nullopt;
+    }
+  }
+
   void show(const ColorImage& overlay) {
-    cv::imshow("graspdb", cv::Mat(overlay.height(), overlay.width(), CV_8UC3,
-                                  const_cast<Bgr*>(overlay.data())));
+    cv::imshow("graspdb", as_mat(overlay));
     const int key = cv::waitKey(1);
     stop_ = key == 'q' || key == 27;
   }
@@ -166,19 +168,16 @@ class Run {
     std::vector<Target> targets;
     for (const FrameTruth& truth : source_->sequence()->truth) targets.push_back(target_of(truth));
     const Baselines base = baselines(PoseGrid(database_), targets, 0);
-    print_error_table({{options_.tracker.temporal, summarize(errors_)}}, base);
+    fmt::print("{}", error_table({{options_.tracker.temporal, summarize(errors_)}}, base));
   }
 
   const Options& options_;
   std::unique_ptr<FrameSource> source_;
   Database database_;
-  std::unique_ptr<Search> search_;
-  Tracker tracker_;
-  HogOptions hog_;
-  std::optional<Box> roi_;
+  HandReader reader_;
   std::optional<FileAside> json_;
   std::optional<VideoWriter> video_;
-  std::optional<RowPicture> row_picture_;
+  std::optional<EstimatePicture> answer_;
   std::optional<Intrinsics> camera_;
   TrackStatistics statistics_;
   std::vector<FrameErrors> errors_;

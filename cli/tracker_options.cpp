@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "console.h"
+#include "graspdb/database/search.h"
 
 namespace graspdb::cli {
 namespace {
@@ -40,14 +40,6 @@ void add_number(CLI::App& verb, const TrackerNumber& number, Value TrackerOption
 }
 
 }  // namespace
-
-void set_number(TrackerOptions& options, const TrackerNumber& number, double value) {
-  std::visit(
-      [&](auto member) {
-        options.*member = static_cast<std::decay_t<decltype(options.*member)>>(value);
-      },
-      number.member);
-}
 
 nlohmann::json options_json(const TrackerOptions& options) {
   nlohmann::json all;

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "console.h"
-#include "graspdb/error.h"
-#include "report.h"
+#include "graspdb/core/error.h"
 #include "sequence_set.h"
 #include "tracker_options.h"
 #include "verbs.h"
@@ -19,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 struct Options {
-  std::string database, trackers, search = "exact";
+  std::string database, trackers, search = kDefaultSearch;
   SequenceSetOptions set;
   NoiseOptions noise{.alphas = {0, 1}};
 };
@@ -115,6 +114,7 @@ void add_tune(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* verb =
       app.add_subcommand("tune", "Errors of many trackers over the same sequences, a line each");
+  verb->group("");  // for scripts/tune.py
   verb->add_option("DB", options->database, "The database")->required();
   add_sequence_options(*verb, options->set);
   verb->add_option("--trackers", options->trackers,

@@ -13,7 +13,6 @@ void add_eval(CLI::App& app);
 void add_export(CLI::App& app);
 void add_grasp(CLI::App& app);
 void add_hand(CLI::App& app);
-void add_index(CLI::App& app);
 void add_info(CLI::App& app);  // info and verify
 void add_merge(CLI::App& app);
 void add_query(CLI::App& app);
@@ -21,6 +20,5 @@ void add_render(CLI::App& app);
 void add_sequence(CLI::App& app);
 void add_track(CLI::App& app);
 void add_tune(CLI::App& app);
-void add_tracker_process(CLI::App& app);
 
 }  // namespace graspdb::cli

@@ -1,9 +1,10 @@
-# One folder is one target. graspdb_library(NAME SOURCES ... PUBLIC ... PRIVATE ...) makes it:
-# its public headers are include/graspdb/*.h and each of them must compile alone.
+# One folder is one target. graspdb_library(NAME SOURCES ... HEADERS ... PUBLIC ... PRIVATE ...) makes
+# graspdb::NAME of the folder that calls it. Its public headers are include/graspdb/FOLDER/*.h, so that
+# an #include says which room it enters; each of them must compile alone.
 add_library(graspdb_warnings INTERFACE)
 target_compile_options(graspdb_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-  -Wno-missing-field-initializers -Werror)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers
+  $<$<BOOL:${GRASPDB_DEVELOPER}>:-Werror>)
 
 # Rows must not depend on how a compiler fuses multiplications and additions.
 add_compile_options(-ffp-contract=off)
@@ -19,8 +20,9 @@ endif()
 
 function(graspdb_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   set(headers ${ARG_HEADERS})
-  list(TRANSFORM headers PREPEND "include/graspdb/")
+  list(TRANSFORM headers PREPEND "include/graspdb/${folder}/")
   add_library(graspdb_${name} STATIC ${ARG_SOURCES})
   add_library(graspdb::${name} ALIAS graspdb_${name})
   target_sources(graspdb_${name} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})

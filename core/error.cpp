@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 #include <fmt/format.h>
 

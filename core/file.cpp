@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 

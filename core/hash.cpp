@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/hash.h"
+#include "graspdb/core/hash.h"
 
 #include <fmt/format.h>
 #include <xxhash.h>

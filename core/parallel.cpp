@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/parallel.h"
+#include "graspdb/core/parallel.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 
 #include <cmath>
 
-#include "graspdb/error.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 namespace {

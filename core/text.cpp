@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/text.h"
+#include "graspdb/core/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,8 +11,8 @@
 #define TOML_EXCEPTIONS 1
 #include <toml++/toml.h>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
 
 namespace graspdb {
 

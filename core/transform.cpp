@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/transform.h"
+#include "graspdb/core/transform.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -8,7 +8,7 @@
 // Must follow foreach_target.h.
 #include <hwy/highway.h>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace graspdb {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/database.h"
+#include "graspdb/database/database.h"
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "header.h"
 #include "mapped_file.h"
 
@@ -51,7 +51,7 @@ const std::string& Database::content_hash() const {
   return mapping_->content;
 }
 
-std::span<const float, kLabelSize> Database::label(std::size_t row) const {
+LabelView Database::label(std::size_t row) const {
   return std::span<const float, kLabelSize>(mapping_->at<float>(kLabel, row), kLabelSize);
 }
 BoxTangents Database::box(std::size_t row) const {

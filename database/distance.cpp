@@ -10,7 +10,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace graspdb {

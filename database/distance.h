@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "graspdb/descriptor.h"
+#include "graspdb/core/descriptor.h"
 
 namespace graspdb {
 

@@ -10,7 +10,7 @@
 #include <new>
 
 #include "distance.h"
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "top_k.h"
 
 namespace graspdb {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "graspdb/search.h"
+#include "graspdb/database/search.h"
 
 namespace graspdb {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "graspdb/database.h"
+#include "graspdb/database/database.h"
 
 namespace graspdb {
 

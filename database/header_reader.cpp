@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "graspdb/hash.h"
+#include "graspdb/core/hash.h"
 #include "header.h"
 #include "refuse.h"
 #include "strict_json.h"

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "graspdb/error.h"
-#include "graspdb/hash.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/hash.h"
 #include "header.h"
 
 namespace graspdb {

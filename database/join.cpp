@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "mapped_file.h"
 #include "write_columns.h"
 

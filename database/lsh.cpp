@@ -6,7 +6,7 @@
 
 #include "distance.h"
 #include "exact.h"
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "lsh_probes.h"
 #include "top_k.h"
 
@@ -120,11 +120,6 @@ class LshSearch : public Search {
 
 std::unique_ptr<Search> make_lsh_search(const Database& database, const LshOptions& options) {
   return std::make_unique<LshSearch>(database, build_lsh_index(database, options));
-}
-
-std::unique_ptr<Search> load_lsh_search(const std::filesystem::path& path,
-                                        const Database& database) {
-  return std::make_unique<LshSearch>(database, load_lsh_index(path, database));
 }
 
 }  // namespace graspdb

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "graspdb/search.h"
+#include "graspdb/database/search.h"
 
 namespace graspdb {
 
@@ -50,11 +50,6 @@ struct LshIndex {
 };
 
 // Throws Error naming the option that is out of range.
-void check_lsh_options(const LshOptions& options);
-
 LshIndex build_lsh_index(const Database& database, const LshOptions& options);
-
-// Reads what save_lsh_index wrote; see there.
-LshIndex load_lsh_index(const std::filesystem::path& path, const Database& database);
 
 }  // namespace graspdb

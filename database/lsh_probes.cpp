@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <memory>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "graspdb/error.h"
-#include "graspdb/search.h"
+#include "graspdb/core/error.h"
+#include "graspdb/database/search.h"
 
 namespace graspdb {
 

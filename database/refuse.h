@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 

@@ -9,9 +9,9 @@
 #include "code_distance.h"
 #include "distance.h"
 #include "exact.h"
-#include "graspdb/error.h"
-#include "graspdb/parallel.h"
-#include "graspdb/search.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/database/search.h"
 #include "pca.h"
 #include "top_k.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "graspdb/search.h"
+#include "graspdb/database/search.h"
 
 namespace graspdb {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graspdb/error.h"
-#include "graspdb/hash.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/hash.h"
 #include "header.h"
 #include "mapped_file.h"
 

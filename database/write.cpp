@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "write_columns.h"
 
 namespace graspdb {
@@ -46,7 +46,7 @@ std::vector<std::byte> packed(std::span<const Row> rows, ColumnIndex column) {
 }
 
 void check_row(const Row& row, const DatabaseInfo& info) {
-  GRASPDB_CHECK(std::ranges::all_of(row.label, [](float value) { return std::isfinite(value); }));
+  GRASPDB_CHECK(is_finite(row.label));
   const BoxTangents& box = row.box;
   GRASPDB_CHECK(std::isfinite(box.x + box.y) && std::isfinite(box.width + box.height));
   GRASPDB_CHECK(row.step >= 1 && row.step <= info.steps);

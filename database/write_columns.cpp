@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/hash.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/hash.h"
 
 namespace graspdb {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "graspdb/database.h"
+#include "graspdb/database/database.h"
 #include "header.h"
 
 namespace graspdb {

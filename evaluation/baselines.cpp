@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/baselines.h"
+#include "graspdb/evaluation/baselines.h"
 
 #include <limits>
 
-#include "graspdb/parallel.h"
-#include "graspdb/random.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb {
 namespace {
@@ -51,8 +51,7 @@ Summary oracle_errors(const PoseGrid& grid, const std::vector<FrameOracle>& orac
 Summary constant_errors(const PoseGrid& grid, const std::vector<Target>& truth) {
   const std::size_t view =
       cheapest(grid.views().size(), truth, [&](std::size_t v, const Target& frame) {
-        return rotation_deg(turn_to_palm(frame.pose) * grid.views()[v],
-                            frame.pose.camera_from_hand);
+        return rotation_deg(turn_to_palm(frame.pose) * grid.views()[v], frame.pose.rotation);
       });
   const std::size_t pose =
       cheapest(grid.poses().size(), truth, [&](std::size_t p, const Target& frame) {

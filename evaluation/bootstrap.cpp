@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/bootstrap.h"
+#include "graspdb/evaluation/bootstrap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "graspdb/error.h"
-#include "graspdb/random.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb {
 namespace {

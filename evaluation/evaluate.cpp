@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/evaluate.h"
+#include "graspdb/evaluation/evaluate.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
 
-#include "graspdb/error.h"
-#include "graspdb/noise.h"
-#include "graspdb/parallel.h"
-#include "graspdb/segmentation.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/sequences/noise.h"
 #include "runner.h"
 
 namespace graspdb {
@@ -21,7 +20,7 @@ class SharedSearch : public Search {
  public:
   SharedSearch(const Search& search, const std::vector<TrackerOptions>& trackers)
       : search_(search) {
-    for (const TrackerOptions& tracker : trackers) most_ = std::max(most_, tracker.neighbours);
+    for (const TrackerOptions& tracker : trackers) most_ = std::max(most_, tracker.neighbors);
   }
   std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
     GRASPDB_CHECK(k <= most_);
@@ -57,14 +56,20 @@ std::vector<Runner> runners(const Stage& stage, const Search& search) {
   return all;
 }
 
+// The hand is found once for all of them.
+void show(std::vector<Runner>& models, const GrayImage& gray, const Mask& mask,
+          const Intrinsics& camera) {
+  const Observation seen = models.front().reader().observe(gray, mask, camera);
+  for (Runner& model : models) model.step(seen);
+}
+
 // A run of each temporal model, side by side.
 std::vector<EvalRun> run_all(const Stage& stage, const Search& search, double alpha) {
   const SharedSearch shared(search, stage.options.trackers);
   std::vector<Runner> models = runners(stage, shared);
   for (std::size_t i = 0; i < stage.frames.hand.size(); ++i) {
-    const Mask hand =
-        isolate_hand(add_segmentation_noise(stage.frames.hand[i], alpha, stage.options.seed, i));
-    for (Runner& model : models) model.step(hand);
+    const Mask noisy = add_segmentation_noise(stage.frames.hand[i], alpha, stage.options.seed, i);
+    show(models, stage.frames.gray[i], noisy, stage.frames.camera);
   }
   std::vector<EvalRun> runs;
   for (const Runner& model : models) runs.push_back(model.run(alpha));
@@ -83,9 +88,10 @@ std::vector<Recovery> recover(const Stage& stage, const Search& search) {
   const Mask nothing(stage.frames.camera.width, stage.frames.camera.height);
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_black = i >= black && i < seen_again;
-    const Mask hand = is_black ? nothing : isolate_hand(stage.frames.hand[i]);
+    show(models, stage.frames.gray[i], is_black ? nothing : stage.frames.hand[i],
+         stage.frames.camera);
     for (std::size_t m = 0; m < models.size(); ++m) {
-      const FrameResult& frame = models[m].step(hand);
+      const FrameResult& frame = models[m].last();
       if (i < seen_again || recoveries[m].recovered) continue;
       recoveries[m].recovered = frame.valid && frame.errors[kRotationDeg] <= kRecoveredDeg;
       if (!recoveries[m].recovered) ++recoveries[m].frames;
@@ -116,24 +122,6 @@ void run_everything(const Stage& stage, const Search& search, const Progress& pr
 
 }  // namespace
 
-SequenceFrames render_frames(const SequenceRenderer& sequence) {
-  const SequenceSpec& spec = sequence.spec();
-  const auto count = static_cast<std::size_t>(spec.frame_count());
-  SequenceFrames frames{.name = spec.name, .grasp_type = spec.grasp_type, .camera = spec.camera};
-  frames.gray.resize(count);
-  frames.hand.resize(count);
-  frames.truth.resize(count);
-  frames.occlusion.resize(count);
-  parallel_for(count, 0, [&](std::size_t i) {
-    SequenceFrame rendered = sequence.render(static_cast<int>(i));
-    frames.gray[i] = to_gray(rendered.color);
-    frames.hand[i] = std::move(rendered.hand);
-    frames.truth[i] = rendered.truth;
-    frames.occlusion[i] = rendered.occlusion;
-  });
-  return frames;
-}
-
 SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, const Search& search,
                             const SequenceFrames& frames, const EvalOptions& options,
                             const Progress& progress) {
@@ -154,7 +142,7 @@ SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, cons
 }
 
 Pose pose_of(const FrameTruth& truth) {
-  return {truth.camera_from_hand, truth.angles, truth.joints};
+  return {truth.camera_from_hand.rotation, truth.angles, truth.joints};
 }
 
 Target target_of(const FrameTruth& truth, const Intrinsics& camera, std::optional<int> grasp_type) {
@@ -163,7 +151,7 @@ Target target_of(const FrameTruth& truth, const Intrinsics& camera, std::optiona
 }
 
 Answer answer_of(const Estimate& estimate, const Database& database) {
-  Answer answer{{estimate.camera_from_hand, estimate.angles, estimate.joints}, {}};
+  Answer answer{{estimate.camera_from_hand.rotation, estimate.angles, estimate.joints}, {}};
   for (const Hypothesis& hypothesis : estimate.hypotheses) {
     answer.grasps[database.grasp(hypothesis.row)] += hypothesis.weight;
   }
@@ -174,10 +162,6 @@ std::vector<TrackerOptions> all_trackers() {
   std::vector<TrackerOptions> trackers;
   for (const TemporalModel model : kTemporalModels) trackers.push_back(tuned_options(model));
   return trackers;
-}
-
-std::string kind_name(FrameKind kind) {
-  return kind == FrameKind::kRendered ? "rendered" : "photoreal";
 }
 
 }  // namespace graspdb

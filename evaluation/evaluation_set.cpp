@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/evaluation_set.h"
+#include "graspdb/evaluation/evaluation_set.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/gap.h"
+#include "graspdb/evaluation/gap.h"
 
 #include <algorithm>
 
@@ -8,8 +8,8 @@ namespace {
 
 // The rotation of one pose, the hand of another.
 Pose joined(const Pose& view, const Pose& hand) {
-  const Eigen::Matrix3d turn = view.camera_from_hand * hand.camera_from_hand.transpose();
-  return {view.camera_from_hand, hand.angles, turn * hand.joints};
+  const Eigen::Matrix3d turn = view.rotation * hand.rotation.transpose();
+  return {view.rotation, hand.angles, turn * hand.joints};
 }
 
 void split_by_stage(const GapInput& in, PoseMetric metric, double answer, double best, Gap& gap) {

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/metrics.h"
+#include "graspdb/evaluation/metrics.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "graspdb/error.h"
-#include "graspdb/pose_vector.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
+#include "graspdb/tracker/pose_vector.h"
 
 namespace graspdb {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kNearestJoint = 0.02;  // metres before the camera, as the tracker's
 constexpr int kWrist = 0, kMiddleMcp = 9;
 
 constexpr std::array<MetricInfo, kRunMetricCount> kMetrics = {{
@@ -95,7 +94,7 @@ FrameErrors compare(const Answer& answer, const Target& truth) {
   errors.fill(kNan);
   const Pose &estimate = answer.pose, &target = truth.pose;
   errors[kPoseError] = pose_error(estimate, target);
-  errors[kRotationDeg] = rotation_deg(estimate.camera_from_hand, target.camera_from_hand);
+  errors[kRotationDeg] = rotation_deg(estimate.rotation, target.rotation);
   errors[kFlips] = errors[kRotationDeg] > 90;
   compare_angles(estimate.angles, target.angles, errors);
   errors[kMpjpeMm] = mpjpe_mm(estimate.joints, target.joints);
@@ -107,8 +106,7 @@ FrameErrors compare(const Answer& answer, const Target& truth) {
 }
 
 double pose_error(const Pose& a, const Pose& b) {
-  return (pose_vector(a.camera_from_hand, a.angles) - pose_vector(b.camera_from_hand, b.angles))
-      .norm();
+  return (pose_vector(a.rotation, a.angles) - pose_vector(b.rotation, b.angles)).norm();
 }
 
 double rotation_deg(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
@@ -151,7 +149,7 @@ double pa_mpjpe_mm(const Keypoints& a, const Keypoints& b) {
 
 double error_2d_palms(const Keypoints& estimate, const Keypoints& truth, const Intrinsics& camera) {
   const double nearest = std::min(estimate.row(2).minCoeff(), truth.row(2).minCoeff());
-  if (nearest <= kNearestJoint) return kNan;
+  if (nearest <= kNearestDepth) return kNan;
   double sum = 0;
   for (int i = 0; i < kKeypointCount; ++i) {
     sum += (camera.project(estimate.col(i)) - camera.project(truth.col(i))).norm();

@@ -8,16 +8,15 @@
 #include <limits>
 #include <numeric>
 
-#include "graspdb/baselines.h"
-#include "graspdb/pose_vector.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/transform.h"
+#include "graspdb/evaluation/baselines.h"
+#include "graspdb/tracker/pose_vector.h"
 
 namespace graspdb {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kNearestJoint = 0.02;  // metres, as in error_2d_palms
 constexpr int kMovingJoints = kKeypointCount - 1;
 constexpr std::array<int, kKeypointCount> kTipsFirst = {12, 4,  20, 8,  16, 11, 3,  19, 7,  15, 10,
                                                         2,  18, 6,  14, 9,  1,  17, 5,  13, 0};
@@ -34,7 +33,7 @@ class Comparison {
       : grid_(grid),
         truth_(truth),
         turn_(turn_to_palm(truth.pose)),
-        true_joints_(truth.pose.camera_from_hand.transpose() *
+        true_joints_(truth.pose.rotation.transpose() *
                      (truth.pose.joints.colwise() - truth.pose.joints.col(0))) {
     order_views();
     for (const Keypoints& joints : seen_from_) look_from(joints);
@@ -63,7 +62,7 @@ class Comparison {
   void order_views() {
     std::vector<double> turn(grid_.views().size());
     for (std::size_t v = 0; v < turn.size(); ++v) {
-      turn[v] = rotation_deg(turn_ * grid_.views()[v], truth_.pose.camera_from_hand);
+      turn[v] = rotation_deg(turn_ * grid_.views()[v], truth_.pose.rotation);
     }
     order_.resize(turn.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -71,8 +70,7 @@ class Comparison {
                      [&](std::size_t a, std::size_t b) { return turn[a] < turn[b]; });
     for (const std::size_t v : order_) {
       rotations_.push_back(turn_ * grid_.views()[v]);
-      seen_from_.push_back(rotations_.back().transpose() * truth_.pose.camera_from_hand *
-                           true_joints_);
+      seen_from_.push_back(rotations_.back().transpose() * truth_.pose.rotation * true_joints_);
     }
     nearest_turn_ = turn[order_.front()];
   }
@@ -126,7 +124,7 @@ class Comparison {
 
   void best_rotation(FrameOracle& result) const {
     // The norm of the difference of two rotation matrices grows with the angle between them.
-    const double off = (rotations_.front() - truth_.pose.camera_from_hand).norm();
+    const double off = (rotations_.front() - truth_.pose.rotation).norm();
     result.best_pose_error.view = order_.front();
     result.errors[kPoseError] = std::hypot(result.errors[kPoseError], off);
     result.errors[kRotationDeg] = nearest_turn_;
@@ -161,18 +159,18 @@ class Comparison {
   // Sum over the joints, pixels.
   Best best_2d() const {
     const Keypoints& joints = truth_.pose.joints;
-    if (joints.row(2).minCoeff() <= kNearestJoint) return {};
+    if (joints.row(2).minCoeff() <= kNearestDepth) return {};
     Eigen::Matrix<double, 2, kKeypointCount> target;
     for (int i = 0; i < kKeypointCount; ++i) target.col(i) = truth_.camera.project(joints.col(i));
     std::vector<Keypoints> from_palm;
     for (const auto& pose : grid_.poses())
-      from_palm.push_back(pose.joints.colwise() - palm_centre(pose.joints));
-    const Eigen::Vector3d palm = palm_centre(joints);
+      from_palm.push_back(pose.joints.colwise() - palm_center(pose.joints));
+    const Eigen::Vector3d palm = palm_center(joints);
     const auto no_bound = [](std::size_t, std::size_t) { return 0.0; };
     return best_pair(no_bound, [&](std::size_t v, std::size_t p, double limit) {
       return sum_until(limit, kKeypointCount, [&](int i) {
         const Eigen::Vector3d joint = rotations_[v] * from_palm[p].col(i) + palm;
-        if (joint.z() <= kNearestJoint) return kFar;
+        if (joint.z() <= kNearestDepth) return kFar;
         return (truth_.camera.project(joint) - target.col(i)).norm();
       });
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/pose_grid.h"
+#include "graspdb/evaluation/pose_grid.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <map>
 #include <tuple>
 
-#include "graspdb/error.h"
-#include "graspdb/pose_vector.h"
+#include "graspdb/core/error.h"
+#include "graspdb/hand/label.h"
 
 namespace graspdb {
 namespace {
@@ -18,8 +18,7 @@ using Angles = std::array<float, kAngleCount>;
 
 Angles angles_of(const Database& database, std::size_t row) {
   Angles angles;
-  const auto label = database.label(row);
-  std::copy(label.begin() + 3, label.end(), angles.begin());
+  std::ranges::copy(database.label(row).last<kAngleCount>(), angles.begin());
   return angles;
 }
 
@@ -29,7 +28,7 @@ Angles angles_of(const Database& database, std::size_t row) {
 
 void check_row(const Database& database, std::size_t row, std::size_t views) {
   const auto label = database.label(row), of_view = database.label(row % views);
-  if (!std::equal(label.begin(), label.begin() + 3, of_view.begin()))
+  if (!std::ranges::equal(label.first<3>(), of_view.first<3>()))
     fail(database, row, "the rotation of its view");
   const std::size_t block = row - row % views;
   if (database.hand(row) != database.hand(block) ||
@@ -49,7 +48,7 @@ PoseGrid::PoseGrid(const Database& database) {
   }
   for (std::size_t row = 0; row < database.rows(); ++row) check_row(database, row, views);
   for (std::size_t view = 0; view < views; ++view) {
-    views_.push_back(label_rotation(database.label(view)));
+    views_.push_back(unpack_label(database.label(view)).rotation);
   }
   std::map<std::tuple<int, int, Angles>, std::size_t> known;
   for (std::size_t row = 0; row < database.rows(); row += views) {
@@ -60,24 +59,20 @@ PoseGrid::PoseGrid(const Database& database) {
         known.try_emplace({static_cast<int>(hand), grasp, angles_of(database, row)}, poses_.size());
     pose_of_block_.push_back(place->second);
     if (!is_new) continue;
-    const JointAngles angles = label_angles(database.label(row));
-    poses_.push_back({angles, keypoints_in_palm(hands[hand].skeleton, angles), grasp});
+    const JointAngles angles = unpack_label(database.label(row)).angles;
+    poses_.push_back({angles, keypoints_in_hand(hands[hand].skeleton, angles), grasp});
   }
 }
 
 Pose PoseGrid::seen(std::size_t pose, std::size_t view, const Pose& truth) const {
-  const Eigen::Matrix3d camera_from_hand = turn_to_palm(truth) * views_[view];
+  const Eigen::Matrix3d rotation = turn_to_palm(truth) * views_[view];
   const Keypoints& joints = poses_[pose].joints;
-  const Eigen::Vector3d wrist = palm_centre(truth.joints) - camera_from_hand * palm_centre(joints);
-  return {camera_from_hand, poses_[pose].angles, (camera_from_hand * joints).colwise() + wrist};
-}
-
-Eigen::Vector3d palm_centre(const Keypoints& joints) {
-  return (joints.col(0) + joints.col(5) + joints.col(9) + joints.col(13) + joints.col(17)) / 5;
+  const Eigen::Vector3d wrist = palm_center(truth.joints) - rotation * palm_center(joints);
+  return {rotation, poses_[pose].angles, (rotation * joints).colwise() + wrist};
 }
 
 Eigen::Matrix3d turn_to_palm(const Pose& truth) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), palm_centre(truth.joints))
+  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), palm_center(truth.joints))
       .toRotationMatrix();
 }
 

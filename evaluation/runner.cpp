@@ -8,7 +8,7 @@ namespace {
 
 Answer flat_hand(const Database& database) {
   const JointAngles angles = JointAngles::Zero();
-  Keypoints joints = keypoints_in_palm(database.info().hands.front().skeleton, angles);
+  Keypoints joints = keypoints_in_hand(database.info().hands.front().skeleton, angles);
   joints.row(2).array() += database.info().camera_distance;
   return {{Eigen::Matrix3d::Identity(), angles, joints}, {}};
 }
@@ -37,23 +37,22 @@ std::vector<Keypoints> true_joints(const std::vector<Target>& truth) {
 Runner::Runner(const Stage& stage, const Search& search, const TrackerOptions& tracker)
     : stage_(stage),
       model_(tracker.temporal),
-      tracker_(stage.database, search, tracker),
-      last_(flat_hand(stage.database)) {}
+      reader_(stage.database, search, {.tracker = tracker}),
+      last_answer_(flat_hand(stage.database)) {}
 
-const FrameResult& Runner::step(const Mask& hand) {
+void Runner::step(const Observation& seen) {
   const std::size_t i = frames_.size();
-  const Estimate estimate = tracker_.step({stage_.frames.gray[i], hand, stage_.frames.camera});
-  if (estimate.valid) last_ = answer_of(estimate, stage_.database);
+  const Estimate estimate = reader_.read(seen);
+  if (estimate.valid) last_answer_ = answer_of(estimate, stage_.database);
   frames_.push_back({.valid = estimate.valid,
                      .confidence = estimate.confidence,
                      .distance = estimate.distance,
                      .box_height_px = estimate.box.height,
                      .row = estimate.row,
                      .grasp = estimate.grasp,
-                     .errors = compare(last_, stage_.truth[i])});
+                     .errors = compare(last_answer_, stage_.truth[i])});
   split_gaps(frames_.back(), estimate.hypotheses);
-  joints_.push_back(last_.pose.joints);
-  return frames_.back();
+  joints_.push_back(last_answer_.pose.joints);
 }
 
 void Runner::split_gaps(FrameResult& result, const std::vector<Hypothesis>& hypotheses) const {
@@ -65,9 +64,9 @@ void Runner::split_gaps(FrameResult& result, const std::vector<Hypothesis>& hypo
   const FrameOracle& oracle = stage_.baselines.oracle[i];
   const Pose& truth = stage_.truth[i].pose;
   result.pose_error_gap =
-      split_gap({stage_.grid, truth, last_.pose, rows, oracle.best_pose_error}, pose_error);
-  result.mpjpe_gap =
-      split_gap({stage_.grid, truth, last_.pose, rows, oracle.best_mpjpe}, joint_distance_mm);
+      split_gap({stage_.grid, truth, last_answer_.pose, rows, oracle.best_pose_error}, pose_error);
+  result.mpjpe_gap = split_gap({stage_.grid, truth, last_answer_.pose, rows, oracle.best_mpjpe},
+                               joint_distance_mm);
 }
 
 EvalRun Runner::run(double alpha) const {

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "graspdb/evaluate.h"
+#include "graspdb/evaluation/evaluate.h"
+#include "graspdb/tracker/hand_reader.h"
 
 namespace graspdb {
 
@@ -22,8 +23,10 @@ class Runner {
  public:
   Runner(const Stage& stage, const Search& search, const TrackerOptions& tracker);
 
+  const HandReader& reader() const { return reader_; }
   // Shows it the next frame.
-  const FrameResult& step(const Mask& hand);
+  void step(const Observation& seen);
+  const FrameResult& last() const { return frames_.back(); }
   EvalRun run(double alpha) const;
 
  private:
@@ -31,8 +34,8 @@ class Runner {
 
   const Stage& stage_;
   TemporalModel model_;
-  Tracker tracker_;
-  Answer last_;
+  HandReader reader_;
+  Answer last_answer_;
   std::vector<FrameResult> frames_;
   std::vector<Keypoints> joints_;
 };

@@ -4,10 +4,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "arm_profile.h"
-#include "graspdb/error.h"
-#include "graspdb/hog.h"
-#include "graspdb/segmentation.h"
-#include "opencv_image.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/opencv/opencv_image.h"
+#include "graspdb/features/hog.h"
+#include "graspdb/features/segmentation.h"
 
 namespace graspdb {
 namespace {

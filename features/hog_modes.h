@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "graspdb/descriptor.h"
-#include "graspdb/image.h"
+#include "graspdb/core/descriptor.h"
+#include "graspdb/core/image.h"
 
 namespace graspdb {
 
@@ -11,6 +11,6 @@ constexpr int kBins = 8;   // 22.5 degrees each, unsigned
 
 // The pixels inside `box`, which is not empty, described as the modes of hog.h say.
 Descriptor describe_paper(const GrayImage& gray, const Mask& mask, const Box& box);
-Descriptor describe_edges(const GrayImage& gray, const Mask& mask, const Box& box);
+Descriptor describe_soft_edges(const GrayImage& gray, const Mask& mask, const Box& box);
 
 }  // namespace graspdb

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "graspdb/error.h"
-#include "graspdb/hog.h"
-#include "graspdb/segmentation.h"
-#include "opencv_image.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/opencv/opencv_image.h"
+#include "graspdb/features/hog.h"
+#include "graspdb/features/segmentation.h"
 #include "plausible.h"
 #include "regions.h"
 

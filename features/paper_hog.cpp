@@ -15,11 +15,11 @@ constexpr std::uint8_t kNoVote = kBins;
 GrayImage masked_crop(const GrayImage& gray, const Mask& mask, const Box& box) {
   GrayImage crop(box.width + 2, box.height + 2);
   for (int y = 0; y < box.height; ++y) {
-    const std::uint8_t* grey = gray.row(box.y + y) + box.x;
+    const std::uint8_t* shade = gray.row(box.y + y) + box.x;
     const std::uint8_t* inside = mask.row(box.y + y) + box.x;
     std::uint8_t* out = crop.row(y + 1) + 1;
     for (int x = 0; x < box.width; ++x) {
-      out[x] = inside[x] != 0 ? grey[x] : std::uint8_t{0};
+      out[x] = inside[x] != 0 ? shade[x] : std::uint8_t{0};
     }
   }
   return crop;
@@ -65,10 +65,10 @@ void row_bins(const Rows& rows, int width, std::uint8_t* bins) {
 void drop_votes(const Rows& rows, const std::uint8_t* inside, int width, std::uint8_t* bins) {
   const auto [above, here, below] = rows;
   for (int x = 0; x < width; ++x) {
-    const std::uint8_t centre = here[x + 1];
-    const int upper = (above[x] ^ centre) | (above[x + 1] ^ centre) | (above[x + 2] ^ centre);
-    const int lower = (below[x] ^ centre) | (below[x + 1] ^ centre) | (below[x + 2] ^ centre);
-    const int varies = upper | lower | (here[x] ^ centre) | (here[x + 2] ^ centre);
+    const std::uint8_t center = here[x + 1];
+    const int upper = (above[x] ^ center) | (above[x + 1] ^ center) | (above[x + 2] ^ center);
+    const int lower = (below[x] ^ center) | (below[x + 1] ^ center) | (below[x + 2] ^ center);
+    const int varies = upper | lower | (here[x] ^ center) | (here[x + 2] ^ center);
     const bool votes = static_cast<int>(varies != 0) & static_cast<int>(inside[x] != 0);
     bins[x] = votes ? bins[x] : kNoVote;
   }

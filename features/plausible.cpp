@@ -6,8 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "graspdb/error.h"
-#include "opencv_image.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/opencv/opencv_image.h"
 
 namespace graspdb {
 namespace {

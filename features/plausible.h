@@ -3,7 +3,7 @@
 // (docs/benchmarks.md); every one of the 20 photographs and 62 video frames with a hand is within.
 #pragma once
 
-#include "graspdb/image.h"
+#include "graspdb/core/image.h"
 
 namespace graspdb {
 

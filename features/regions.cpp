@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "graspdb/error.h"
-#include "graspdb/segmentation.h"
+#include "graspdb/core/error.h"
+#include "graspdb/features/segmentation.h"
 
 namespace graspdb {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "graspdb/image.h"
+#include "graspdb/core/image.h"
 
 namespace graspdb {
 

@@ -4,9 +4,9 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
-#include "graspdb/error.h"
-#include "graspdb/segmentation.h"
-#include "opencv_image.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/opencv/opencv_image.h"
+#include "graspdb/features/segmentation.h"
 
 namespace graspdb {
 namespace {

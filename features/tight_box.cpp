@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "graspdb/hog.h"
+#include "graspdb/features/hog.h"
 
 namespace graspdb {
 

@@ -7,10 +7,10 @@
 #include <mutex>
 
 #include "data_card.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/generator.h"
-#include "graspdb/parallel.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/generator/generator.h"
 #include "rows.h"
 #include "shards.h"
 

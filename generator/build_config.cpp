@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/build_config.h"
+#include "graspdb/generator/build_config.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "graspdb/database.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/text.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/text.h"
+#include "graspdb/database/database.h"
 #include "jitter.h"
 
 namespace graspdb {

@@ -22,7 +22,7 @@ ordered_json hands_json(const Plan& plan) {
   ordered_json hands = ordered_json::array();
   for (const Hand& hand : plan.hands) {
     hands.push_back(ordered_json{
-        {"name", hand.name}, {"origin", stated(hand.origin)}, {"licence", stated(hand.licence)}});
+        {"name", hand.name}, {"origin", stated(hand.origin)}, {"licence", stated(hand.license)}});
   }
   return hands;
 }
@@ -34,7 +34,7 @@ ordered_json objects_json(const Plan& plan) {
     ordered_json object{{"grasp", grasp.id}, {"name", grasp.object_name}};
     if (!grasp.object_file.empty()) {
       object["origin"] = stated(grasp.object_origin);
-      object["licence"] = stated(grasp.object_licence);
+      object["licence"] = stated(grasp.object_license);
     }
     objects.push_back(std::move(object));
   }
@@ -42,17 +42,17 @@ ordered_json objects_json(const Plan& plan) {
 }
 
 // The licences of all that the pictures show; objects in free rows too, for hands close on them.
-std::string licence(const Plan& plan) {
-  std::set<std::string> licences;
-  for (const Hand& hand : plan.hands) licences.insert(stated(hand.licence));
+std::string license(const Plan& plan) {
+  std::set<std::string> licenses;
+  for (const Hand& hand : plan.hands) licenses.insert(stated(hand.license));
   for (const Grasp& grasp : plan.grasps) {
-    if (!grasp.object_file.empty()) licences.insert(stated(grasp.object_licence));
+    if (!grasp.object_file.empty()) licenses.insert(stated(grasp.object_license));
   }
-  if (licences.contains(kNotStated)) {
+  if (licenses.contains(kNotStated)) {
     return "not stated for every hand and object: ask their authors before you publish it";
   }
   return fmt::format("{}: the terms of its hands and objects; graspdb adds none",
-                     fmt::join(licences, ", "));
+                     fmt::join(licenses, ", "));
 }
 
 ordered_json limits() {
@@ -74,7 +74,7 @@ std::string data_card(const Plan& plan) {
        "the pose of a hand (rotation and 28 joint angles) and the descriptor of one view "
        "of it, 512 values; no pictures"},
       {"made_by", "graspdb " GRASPDB_VERSION},
-      {"licence", licence(plan)},
+      {"licence", license(plan)},
       {"hands", hands_json(plan)},
       {"objects", objects_json(plan)},
       {"people", "none: nobody was scanned, filmed or recorded for a row"},

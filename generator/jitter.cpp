@@ -8,8 +8,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/hash.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/hash.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 namespace {

@@ -4,9 +4,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "graspdb/angles.h"
-#include "graspdb/build_config.h"
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
+#include "graspdb/generator/build_config.h"
+#include "graspdb/hand/angles.h"
 
 namespace graspdb {
 

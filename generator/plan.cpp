@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <set>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/hash.h"
-#include "graspdb/parallel.h"
-#include "graspdb/rig.h"
-#include "graspdb/views.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/hash.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/generator/views.h"
+#include "graspdb/hand/rig/rig.h"
 
 namespace graspdb {
 namespace {

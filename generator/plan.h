@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "graspdb/build_config.h"
-#include "graspdb/closing.h"
-#include "graspdb/database.h"
-#include "graspdb/grasp.h"
-#include "graspdb/hand.h"
+#include "graspdb/database/database.h"
+#include "graspdb/generator/build_config.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/grasps/grasp.h"
+#include "graspdb/hand/hand.h"
 
 namespace graspdb {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/posed_scene.h"
+#include "graspdb/generator/posed_scene.h"
 
 #include <algorithm>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {
@@ -25,13 +25,13 @@ Mesh transformed(const Mesh& mesh, const RigidTransform& target_from_mesh) {
 
 Hand with_visible_forearm(Hand hand, double length) {
   GRASPDB_CHECK(length >= 0);
-  const RigidTransform& palm_from_forearm = hand.palm_from_bone_at_bind[kForearm];
-  const RigidTransform forearm_from_palm = palm_from_forearm.inverse();
+  const RigidTransform& hand_from_forearm = hand.hand_from_bone_at_bind[kForearm];
+  const RigidTransform forearm_from_palm = hand_from_forearm.inverse();
   double end = length;
   for (const Eigen::Vector3f& vertex : hand.bind_mesh.vertices) {
     end = std::max(end, -(forearm_from_palm * vertex.cast<double>()).y());
   }
-  const Eigen::Vector3f proximal = -palm_from_forearm.rotation.col(1).cast<float>();
+  const Eigen::Vector3f proximal = -hand_from_forearm.rotation.col(1).cast<float>();
   for (std::size_t v = 0; v < hand.bind_mesh.vertices.size(); ++v) {
     Eigen::Vector3f& vertex = hand.bind_mesh.vertices[v];
     Eigen::Vector3d in_forearm = forearm_from_palm * vertex.cast<double>();
@@ -40,7 +40,7 @@ Hand with_visible_forearm(Hand hand, double length) {
     // Towards the axis, so that an arm that grows wider leaves no rim.
     const double towards_axis = 1 - beyond / (end - length);
     in_forearm = {in_forearm.x() * towards_axis, -length, in_forearm.z() * towards_axis};
-    vertex = (palm_from_forearm * in_forearm).cast<float>();
+    vertex = (hand_from_forearm * in_forearm).cast<float>();
     hand.bind_mesh.normals[v] = proximal;
   }
   return hand;
@@ -53,7 +53,7 @@ PosedScene pose_scene(const Hand& hand, const GraspPose& pose, const Solid* obje
   const Mesh* held = object != nullptr ? &solid : nullptr;
   const std::vector<float> openness = ambient_openness(skin, held, kOpennessRays, kOpennessReach);
   Scene scene(skin, strongest_bones(hand), held, openness);
-  return {std::move(scene), std::move(skin.vertices), palm_centre(hand.skeleton, pose.angles)};
+  return {std::move(scene), std::move(skin.vertices), palm_center(hand.skeleton, pose.angles)};
 }
 
 }  // namespace graspdb

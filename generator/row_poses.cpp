@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/row_poses.h"
+#include "graspdb/generator/row_poses.h"
 
 #include <algorithm>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "plan.h"
 #include "rows.h"
 

@@ -3,21 +3,11 @@
 
 #include <algorithm>
 
-#include "graspdb/posed_scene.h"
+#include "graspdb/generator/posed_scene.h"
 #include "jitter.h"
 
 namespace graspdb {
 namespace {
-
-Label make_label(const Eigen::Matrix3d& camera_from_hand, const JointAngles& angles) {
-  Label label;
-  const Eigen::Vector3f rotation = vector_from_rotation(camera_from_hand).cast<float>();
-  std::copy_n(rotation.data(), 3, label.begin());
-  for (int i = 0; i < kAngleCount; ++i) {
-    label[static_cast<std::size_t>(i) + 3] = static_cast<float>(angles[i]);
-  }
-  return label;
-}
 
 // The box in tangents: what a camera at one metre would see in metres, from the palm centre's ray.
 BoxTangents box_in_tangents(const Box& box, const Intrinsics& camera) {
@@ -82,7 +72,7 @@ RowPose pose_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized,
 }
 
 Camera row_camera(const Plan& plan, const PosedScene& posed, std::size_t view) {
-  return crop_camera(plan.views[view], posed.centre, plan.config.distance, posed.hand_vertices,
+  return crop_camera(plan.views[view], posed.center, plan.config.distance, posed.hand_vertices,
                      plan.config.resolution);
 }
 
@@ -96,7 +86,7 @@ void make_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, in
   const RowPose posed = pose_rows(plan, shard, sized, step);
   for (std::size_t view = 0; view < rows.size(); ++view) {
     Row& row = rows[view] = make_row(plan, draw, posed.scene, view);
-    row.label = make_label(plan.views[view], posed.pose.angles);
+    row.label = pack_label({plan.views[view], posed.pose.angles});
     row.grasp = static_cast<std::uint16_t>(sized.grasp.id);
     row.step = static_cast<std::uint8_t>(step);
   }

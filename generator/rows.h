@@ -6,8 +6,8 @@
 #include <span>
 #include <tuple>
 
-#include "graspdb/database.h"
-#include "graspdb/row_poses.h"
+#include "graspdb/database/database.h"
+#include "graspdb/generator/row_poses.h"
 #include "plan.h"
 
 namespace graspdb {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/error.h"
-#include "graspdb/hash.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/hash.h"
 #include "jitter.h"
 
 namespace graspdb {

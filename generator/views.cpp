@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/views.h"
+#include "graspdb/generator/views.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "graspdb/error.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "graspdb/transform.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 namespace {

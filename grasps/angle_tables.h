@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "graspdb/angles.h"
-#include "graspdb/text.h"
+#include "graspdb/core/text.h"
+#include "graspdb/hand/angles.h"
 
 namespace graspdb {
 

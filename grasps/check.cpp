@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "crossing.h"
-#include "graspdb/closing.h"
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
+#include "graspdb/grasps/closing.h"
 #include "pose_measures.h"
 #include "skin_samples.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kGateMm = 2;
 constexpr double kCrossingMm = 0.2;
-constexpr double kMillimetre = 1000;
+constexpr double kMillimeter = 1000;
 constexpr double kRangeSlack = 1e-6;  // radians: closed poses are written to 1e-6 degrees
 
 using Gaps = std::array<double, kDigitCount>;
@@ -58,7 +58,7 @@ bool is_side(const ContactArea& area) {
 void check_sides(const Grasp& grasp, const Hand& hand, const GraspPose& closed, GraspCheck& check) {
   if (grasp.opposition != Opposition::kSide) return;
   const SkinSamples skin(hand, 1);
-  const auto positions = skin.pose(palm_from_bones(hand.skeleton, closed.angles));
+  const auto positions = skin.pose(hand_from_bones(hand.skeleton, closed.angles));
   const RigidTransform object_from_hand = closed.hand_from_object.inverse();
   for (const int digit : grasp.required_digits) {
     double gap = std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ void check_sides(const Grasp& grasp, const Hand& hand, const GraspPose& closed, 
       names += (names.empty() ? "" : ", ") + area.name;
       for (const int i : skin.in_area(area)) {
         const Eigen::Vector3d& at = positions[static_cast<std::size_t>(i)];
-        gap = std::min(gap, grasp.object->distance(object_from_hand * at) * kMillimetre);
+        gap = std::min(gap, grasp.object->distance(object_from_hand * at) * kMillimeter);
       }
     }
     if (names.empty() || gap <= kContactMm) continue;
@@ -124,7 +124,7 @@ void check_step(const StepCheck& step, GraspCheck& check) {
 // What has crossed the object, here or since the step before.
 void add_crossings(const CrossingDepths& here, const CrossingDepths& on_the_way, StepCheck& step) {
   for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
-    const double depth_mm = std::max(here[digit], on_the_way[digit]) * kMillimetre;
+    const double depth_mm = std::max(here[digit], on_the_way[digit]) * kMillimeter;
     if (depth_mm > kCrossingMm) step.crossed.emplace_back(kDigitNames[digit]);
     step.crossing_mm = std::max(step.crossing_mm, depth_mm);
   }

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "angle_tables.h"
-#include "graspdb/closing.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/hash.h"
-#include "graspdb/text.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/hash.h"
+#include "graspdb/core/text.h"
+#include "graspdb/grasps/closing.h"
 
 namespace graspdb {
 namespace {

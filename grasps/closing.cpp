@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/closing.h"
+#include "graspdb/grasps/closing.h"
 
 #include <optional>
 #include <vector>

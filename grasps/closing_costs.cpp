@@ -9,7 +9,7 @@
 namespace graspdb {
 namespace {
 
-constexpr double kMillimetre = 1000;
+constexpr double kMillimeter = 1000;
 
 // Pulls hard when near and evenly when far, so that one phalanx that cannot reach does not pull the
 // object out of the hand.
@@ -49,16 +49,16 @@ void ClosingProblem::add_contacts(const Posed& posed, Costs& r) const {
   constexpr double kPulpWeight = 3, kFacingWeight = 2;
   for (const auto& [area, samples] : areas_) {
     double gap = std::numeric_limits<double>::max();
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (const int i : samples) {
       gap = std::min(gap, posed.distance[static_cast<std::size_t>(i)]);
-      centre += posed.in_object[static_cast<std::size_t>(i)] / static_cast<double>(samples.size());
+      center += posed.in_object[static_cast<std::size_t>(i)] / static_cast<double>(samples.size());
     }
-    r.push_back((is_pulp(area) ? kPulpWeight : 1) * robust_gap((gap - kGoal) * kMillimetre));
+    r.push_back((is_pulp(area) ? kPulpWeight : 1) * robust_gap((gap - kGoal) * kMillimeter));
     const Eigen::Vector3d facing =
         posed.object_from_hand.rotation *
         (posed.bones[static_cast<std::size_t>(area.bone)].rotation * outward(area.side));
-    add_vector(kFacingWeight * (facing + away_from_object(area.digit, centre)), r);
+    add_vector(kFacingWeight * (facing + away_from_object(area.digit, center)), r);
   }
 }
 
@@ -66,7 +66,7 @@ void ClosingProblem::add_penetration(const Posed& posed, Costs& r) const {
   constexpr double kSoftTissue = 0.5e-3;  // metres
   constexpr double kWeight = 3;
   for (const double distance : posed.distance) {
-    r.push_back(kWeight * std::max(0.0, -distance - kSoftTissue - give_) * kMillimetre);
+    r.push_back(kWeight * std::max(0.0, -distance - kSoftTissue - give_) * kMillimeter);
   }
 }
 
@@ -77,7 +77,7 @@ void ClosingProblem::add_free_digits(const Posed& posed, Costs& r) const {
     for (std::size_t i = 0; i < posed.distance.size(); ++i) {
       if (skin_.samples()[i].digit == digit) gap = std::min(gap, posed.distance[i]);
     }
-    r.push_back((kClearance - gap) * kMillimetre);
+    r.push_back((kClearance - gap) * kMillimeter);
   }
 }
 
@@ -88,7 +88,7 @@ void ClosingProblem::add_overlaps(const Posed& posed, Costs& r) const {
   for (const auto& [a, b] : pairs_) {
     const double overlap = -graspdb::distance(capsules[static_cast<std::size_t>(a)],
                                               capsules[static_cast<std::size_t>(b)]);
-    r.push_back(kWeight * std::max(0.0, overlap + kMargin - give_) * kMillimetre);
+    r.push_back(kWeight * std::max(0.0, overlap + kMargin - give_) * kMillimeter);
   }
 }
 

@@ -119,7 +119,7 @@ GraspPose ClosingProblem::unpack(const Eigen::VectorXd& x) const {
 
 ClosingProblem::Posed ClosingProblem::pose(const GraspPose& at) const {
   Posed posed;
-  posed.bones = palm_from_bones(hand_.skeleton, at.angles);
+  posed.bones = hand_from_bones(hand_.skeleton, at.angles);
   posed.object_from_hand = at.hand_from_object.inverse();
   posed.in_object = skin_.pose(posed.bones);
   posed.distance.reserve(posed.in_object.size());

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "digit_capsules.h"
-#include "graspdb/grasp.h"
-#include "graspdb/hand.h"
+#include "graspdb/grasps/grasp.h"
+#include "graspdb/hand/hand.h"
 #include "skin_samples.h"
 
 namespace graspdb {

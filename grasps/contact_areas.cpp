@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "graspdb/skeleton.h"
+#include "graspdb/hand/skeleton.h"
 
 namespace graspdb {
 namespace {

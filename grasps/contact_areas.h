@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "graspdb/grasp.h"
+#include "graspdb/grasps/grasp.h"
 
 namespace graspdb {
 

@@ -64,7 +64,7 @@ bool passes_through(const Solid& solid, const Eigen::Vector3d& from, const Eigen
 CrossingDepths crossed_skin(const Grasp& grasp, const Hand& hand, const GraspPose& pose,
                             const Mesh& skin, const std::vector<int>& digit) {
   const std::vector<std::uint8_t> bones = strongest_bones(hand);
-  const PerBone<RigidTransform> posed = palm_from_bones(hand.skeleton, pose.angles);
+  const PerBone<RigidTransform> posed = hand_from_bones(hand.skeleton, pose.angles);
   const RigidTransform object_from_hand = pose.hand_from_object.inverse();
   CrossingDepths depths{};
   for (std::size_t v = 0; v < bones.size(); ++v) {

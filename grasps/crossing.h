@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "graspdb/grasp.h"
-#include "graspdb/hand.h"
+#include "graspdb/grasps/grasp.h"
+#include "graspdb/hand/hand.h"
 
 namespace graspdb {
 

@@ -44,7 +44,7 @@ double distance(const Capsule& a, const Capsule& b) {
 DigitCapsules::DigitCapsules(const Hand& hand) {
   const std::vector<std::uint8_t> strongest = strongest_bones(hand);
   for (std::size_t bone = kThumbMetacarpal; bone < kBoneCount; ++bone) {
-    const RigidTransform bone_from_palm = hand.palm_from_bone_at_bind[bone].inverse();
+    const RigidTransform bone_from_palm = hand.hand_from_bone_at_bind[bone].inverse();
     const Eigen::Vector3d end = bone_end(hand.skeleton, static_cast<int>(bone));
     std::vector<Eigen::Vector2d> across;  // of the skin round the middle of the bone
     for (std::size_t v = 0; v < strongest.size(); ++v) {
@@ -53,24 +53,24 @@ DigitCapsules::DigitCapsules(const Hand& hand) {
       if (p.y() > 0.2 * end.y() && p.y() < 0.8 * end.y()) across.emplace_back(p.x(), p.z());
     }
     if (across.empty()) continue;
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    for (const Eigen::Vector2d& p : across) centre += p / static_cast<double>(across.size());
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& p : across) center += p / static_cast<double>(across.size());
     double radius = 0;
     for (const Eigen::Vector2d& p : across) {
-      radius += (p - centre).norm() / static_cast<double>(across.size());
+      radius += (p - center).norm() / static_cast<double>(across.size());
     }
-    const Eigen::Vector3d shift(centre.x(), 0, centre.y());
+    const Eigen::Vector3d shift(center.x(), 0, center.y());
     const bool last = bone % 4 == kThumbDistal % 4;  // so are those of the fingers
     const double tip = last ? std::max(0.0, 1 - radius / end.norm()) : 1.0;
     in_bone_[bone] = {shift, tip * end + shift, radius};
   }
 }
 
-PerBone<Capsule> DigitCapsules::pose(const PerBone<RigidTransform>& palm_from_bone) const {
+PerBone<Capsule> DigitCapsules::pose(const PerBone<RigidTransform>& hand_from_bone) const {
   PerBone<Capsule> posed;
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    posed[bone] = {palm_from_bone[bone] * in_bone_[bone].start,
-                   palm_from_bone[bone] * in_bone_[bone].end, in_bone_[bone].radius};
+    posed[bone] = {hand_from_bone[bone] * in_bone_[bone].start,
+                   hand_from_bone[bone] * in_bone_[bone].end, in_bone_[bone].radius};
   }
   return posed;
 }

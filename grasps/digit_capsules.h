@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "graspdb/hand.h"
+#include "graspdb/hand/hand.h"
 
 namespace graspdb {
 
@@ -24,7 +24,7 @@ double distance(const Capsule& a, const Capsule& b);
 class DigitCapsules {
  public:
   explicit DigitCapsules(const Hand& hand);
-  PerBone<Capsule> pose(const PerBone<RigidTransform>& palm_from_bone) const;
+  PerBone<Capsule> pose(const PerBone<RigidTransform>& hand_from_bone) const;
 
  private:
   PerBone<Capsule> in_bone_;

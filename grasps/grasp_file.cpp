@@ -8,11 +8,11 @@
 
 #include "angle_tables.h"
 #include "contact_areas.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/grasp.h"
-#include "graspdb/text.h"
-#include "mesh_solid.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/text.h"
+#include "graspdb/geometry/mesh_solid.h"
+#include "graspdb/grasps/grasp.h"
 
 namespace graspdb {
 namespace {
@@ -116,19 +116,19 @@ std::shared_ptr<const Solid> read_mesh(const TomlTable& table, Grasp& grasp) {
     table.fail("mesh", "a mesh file", "none at " + grasp.object_file.lexically_normal().string());
   }
   grasp.object_origin = table.string_or("origin", "");
-  grasp.object_licence = table.string_or("licence", "");
+  grasp.object_license = table.string_or("licence", "");
   return load_mesh_solid(grasp.object_file, unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1);
 }
 
 std::shared_ptr<const Solid> read_solid(const TomlTable& table, Grasp& grasp) {
   const std::string shape = one_of(table, "shape", {"sphere", "cylinder", "box", "ring", "mesh"});
-  const auto metres = [&](std::string_view key) {
+  const auto meters = [&](std::string_view key) {
     return table.number(key, kSmallestMm, kLargestMm) / 1000;
   };
   if (shape == "mesh") return read_mesh(table, grasp);
-  if (shape == "ring") return make_ring(metres("inner_diameter_mm"), metres("thickness_mm"));
-  if (shape == "sphere") return make_sphere(metres("diameter_mm"));
-  if (shape == "cylinder") return make_cylinder(metres("diameter_mm"), metres("length_mm"));
+  if (shape == "ring") return make_ring(meters("inner_diameter_mm"), meters("thickness_mm"));
+  if (shape == "sphere") return make_sphere(meters("diameter_mm"));
+  if (shape == "cylinder") return make_cylinder(meters("diameter_mm"), meters("length_mm"));
   const std::vector<double> size = table.numbers("size_mm", 3, kSmallestMm, kLargestMm);
   return make_box(Eigen::Vector3d(size[0], size[1], size[2]) / 1000);
 }
@@ -217,6 +217,10 @@ Grasp load_grasp(const fs::path& path) {
   read_waypoints(file, grasp);
   file.finish();
   return grasp;
+}
+
+fs::path grasp_directory() {
+  return data_directory() / "grasps";
 }
 
 std::vector<Grasp> load_grasps(const fs::path& directory) {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "crossing.h"
-#include "graspdb/closing.h"
-#include "graspdb/grasp.h"
-#include "graspdb/hand.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/grasps/grasp.h"
+#include "graspdb/hand/hand.h"
 
 namespace graspdb {
 

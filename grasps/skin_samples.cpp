@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "skin_samples.h"
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {
@@ -25,7 +25,7 @@ int digit_of_bone(int bone) {
 
 Eigen::Vector3d bone_end(const Skeleton& skeleton, int bone) {
   GRASPDB_CHECK(bone != kForearm);
-  const auto& zero = skeleton.palm_from_bone_at_zero;
+  const auto& zero = skeleton.hand_from_bone_at_zero;
   const auto index = static_cast<std::size_t>(bone);
   if (bone == kPalm) return zero[kPalmLengthBone].translation;
   if (bone == kThumbDistal) return skeleton.tip_in_distal[0];
@@ -44,7 +44,7 @@ Eigen::Vector3d outward(SkinSide side) {
 SkinSamples::SkinSamples(const Hand& hand, int stride) {
   const std::vector<std::uint8_t> strongest = strongest_bones(hand);
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    bone_at_bind_from_palm_[bone] = hand.palm_from_bone_at_bind[bone].inverse();
+    bone_at_bind_from_palm_[bone] = hand.hand_from_bone_at_bind[bone].inverse();
   }
   std::array<int, kDigitCount> seen{};
   for (std::size_t v = 0; v < strongest.size(); ++v) {
@@ -75,10 +75,10 @@ std::vector<int> SkinSamples::in_area(const ContactArea& area) const {
 }
 
 std::vector<Eigen::Vector3d> SkinSamples::pose(
-    const PerBone<RigidTransform>& palm_from_bone) const {
+    const PerBone<RigidTransform>& hand_from_bone) const {
   PerBone<RigidTransform> posed_from_bind;
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    posed_from_bind[bone] = palm_from_bone[bone] * bone_at_bind_from_palm_[bone];
+    posed_from_bind[bone] = hand_from_bone[bone] * bone_at_bind_from_palm_[bone];
   }
   std::vector<Eigen::Vector3d> positions;
   positions.reserve(samples_.size());

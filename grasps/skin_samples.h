@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "graspdb/grasp.h"
-#include "graspdb/hand.h"
+#include "graspdb/grasps/grasp.h"
+#include "graspdb/hand/hand.h"
 
 namespace graspdb {
 
@@ -37,7 +37,7 @@ class SkinSamples {
   std::vector<int> in_area(const ContactArea& area) const;
 
   // Positions in the hand frame, one a sample.
-  std::vector<Eigen::Vector3d> pose(const PerBone<RigidTransform>& palm_from_bone) const;
+  std::vector<Eigen::Vector3d> pose(const PerBone<RigidTransform>& hand_from_bone) const;
 
  private:
   PerBone<RigidTransform> bone_at_bind_from_palm_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "graspdb/error.h"
-#include "graspdb/grasp.h"
+#include "graspdb/core/error.h"
+#include "graspdb/grasps/grasp.h"
 
 namespace graspdb {
 namespace {

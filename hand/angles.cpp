@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/angles.h"
+#include "graspdb/hand/angles.h"
 
 #include <algorithm>
 #include <array>
 
-#include "graspdb/error.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/hand.h"
+#include "graspdb/hand/hand.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
 namespace graspdb {
 
-Mesh pose_skin(const Hand& hand, const PerBone<RigidTransform>& palm_from_bone) {
+Mesh pose_skin(const Hand& hand, const PerBone<RigidTransform>& hand_from_bone) {
   PerBone<Eigen::Matrix<float, 3, 4>> posed_from_bind;
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    const RigidTransform moved = palm_from_bone[bone] * hand.palm_from_bone_at_bind[bone].inverse();
+    const RigidTransform moved = hand_from_bone[bone] * hand.hand_from_bone_at_bind[bone].inverse();
     posed_from_bind[bone] << moved.rotation.cast<float>(), moved.translation.cast<float>();
   }
   Mesh posed = hand.bind_mesh;
@@ -26,7 +26,7 @@ Mesh pose_skin(const Hand& hand, const PerBone<RigidTransform>& palm_from_bone) 
 }
 
 Mesh pose_skin(const Hand& hand, const JointAngles& angles) {
-  return pose_skin(hand, palm_from_bones(hand.skeleton, angles));
+  return pose_skin(hand, hand_from_bones(hand.skeleton, angles));
 }
 
 std::vector<std::uint8_t> strongest_bones(const Hand& hand) {

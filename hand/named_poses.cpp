@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/named_poses.h"
+#include "graspdb/hand/named_poses.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "graspdb/error.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 namespace {

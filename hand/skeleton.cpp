@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/skeleton.h"
+#include "graspdb/hand/skeleton.h"
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {
@@ -63,31 +63,31 @@ int bone_parent(int bone) {
   return (bone - kFirstFingerBone) % 4 == 0 ? static_cast<int>(kPalm) : bone - 1;
 }
 
-PerBone<RigidTransform> palm_from_bones(const Skeleton& skeleton, const JointAngles& angles) {
+PerBone<RigidTransform> hand_from_bones(const Skeleton& skeleton, const JointAngles& angles) {
   const PerBone<Eigen::Matrix3d> rotations = joint_rotations(angles);
-  const PerBone<RigidTransform>& zero = skeleton.palm_from_bone_at_zero;
-  PerBone<RigidTransform> palm_from_bone;
+  const PerBone<RigidTransform>& zero = skeleton.hand_from_bone_at_zero;
+  PerBone<RigidTransform> hand_from_bone;
   for (std::size_t bone = 1; bone < kBoneCount; ++bone) {
     const auto parent = static_cast<std::size_t>(bone_parent(static_cast<int>(bone)));
     const RigidTransform parent_from_bone_at_zero = zero[parent].inverse() * zero[bone];
-    palm_from_bone[bone] = palm_from_bone[parent] * parent_from_bone_at_zero *
+    hand_from_bone[bone] = hand_from_bone[parent] * parent_from_bone_at_zero *
                            RigidTransform{rotations[bone], Eigen::Vector3d::Zero()};
   }
-  return palm_from_bone;
+  return hand_from_bone;
 }
 
-Keypoints keypoints_in_palm(const Skeleton& skeleton,
-                            const PerBone<RigidTransform>& palm_from_bone) {
+Keypoints keypoints_in_hand(const Skeleton& skeleton,
+                            const PerBone<RigidTransform>& hand_from_bone) {
   Keypoints points;
   int next = 0;
   const auto add_chain = [&](int first, int last, std::size_t digit) {
     for (int bone = first; bone <= last; ++bone) {
-      points.col(next++) = palm_from_bone[static_cast<std::size_t>(bone)].translation;
+      points.col(next++) = hand_from_bone[static_cast<std::size_t>(bone)].translation;
     }
     points.col(next++) =
-        palm_from_bone[static_cast<std::size_t>(last)] * skeleton.tip_in_distal[digit];
+        hand_from_bone[static_cast<std::size_t>(last)] * skeleton.tip_in_distal[digit];
   };
-  points.col(next++) = palm_from_bone[kPalm].translation;
+  points.col(next++) = hand_from_bone[kPalm].translation;
   add_chain(kThumbMetacarpal, kThumbDistal, 0);
   for (int f = 0; f < kFingerCount; ++f) {
     add_chain(finger_bone(f, kProximal), finger_bone(f, kDistal), static_cast<std::size_t>(f + 1));
@@ -95,17 +95,20 @@ Keypoints keypoints_in_palm(const Skeleton& skeleton,
   return points;
 }
 
-Keypoints keypoints_in_palm(const Skeleton& skeleton, const JointAngles& angles) {
-  return keypoints_in_palm(skeleton, palm_from_bones(skeleton, angles));
+Keypoints keypoints_in_hand(const Skeleton& skeleton, const JointAngles& angles) {
+  return keypoints_in_hand(skeleton, hand_from_bones(skeleton, angles));
 }
 
-Eigen::Vector3d palm_centre(const Skeleton& skeleton, const JointAngles& angles) {
-    const Keypoints points = keypoints_in_palm(skeleton, angles);
-    return (points.col(0) + points.col(5) + points.col(9) + points.col(13) + points.col(17)) / 5;
+Eigen::Vector3d palm_center(const Keypoints& joints) {
+  return (joints.col(0) + joints.col(5) + joints.col(9) + joints.col(13) + joints.col(17)) / 5;
+}
+
+Eigen::Vector3d palm_center(const Skeleton& skeleton, const JointAngles& angles) {
+  return palm_center(keypoints_in_hand(skeleton, angles));
 }
 
 double hand_length(const Skeleton& skeleton) {
-  const Keypoints points = keypoints_in_palm(skeleton, JointAngles::Zero());
+  const Keypoints points = keypoints_in_hand(skeleton, JointAngles::Zero());
   double length = points.col(9).norm();
   for (int joint = 9; joint < 12; ++joint)
     length += (points.col(joint + 1) - points.col(joint)).norm();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
-#include "graspdb/error.h"
-#include "graspdb/skeleton.h"
+#include "graspdb/core/error.h"
+#include "graspdb/hand/skeleton.h"
 
 namespace graspdb {
 namespace {
@@ -23,7 +23,7 @@ Eigen::Vector3d vector_from_json(const json& value) {
 std::string skeleton_to_json(const Skeleton& skeleton) {
   json bones = json::object();
   for (int bone = 0; bone < kBoneCount; ++bone) {
-    const RigidTransform& frame = skeleton.palm_from_bone_at_zero[static_cast<std::size_t>(bone)];
+    const RigidTransform& frame = skeleton.hand_from_bone_at_zero[static_cast<std::size_t>(bone)];
     json rotation = json::array();
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) rotation.push_back(frame.rotation(row, column));
@@ -42,7 +42,7 @@ Skeleton skeleton_from_json(std::string_view text, const std::string& file) {
     Skeleton skeleton;
     for (int bone = 0; bone < kBoneCount; ++bone) {
       const json& entry = value.at("palm_from_bone_at_zero").at(std::string(bone_name(bone)));
-      RigidTransform& frame = skeleton.palm_from_bone_at_zero[static_cast<std::size_t>(bone)];
+      RigidTransform& frame = skeleton.hand_from_bone_at_zero[static_cast<std::size_t>(bone)];
       frame.translation = vector_from_json(entry.at("origin_m"));
       for (std::size_t i = 0; i < 9; ++i) {
         frame.rotation(static_cast<int>(i / 3), static_cast<int>(i % 3)) =

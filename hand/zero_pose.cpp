@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/zero_pose.h"
+#include "graspdb/hand/zero_pose.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 void lay_chain(std::size_t first_bone, std::size_t digit, const Eigen::Matrix3d& rotation,
                Eigen::Vector3d joint, const std::array<double, 3>& lengths, Skeleton& skeleton) {
   for (std::size_t bone = 0; bone < 3; ++bone) {
-    skeleton.palm_from_bone_at_zero[first_bone + bone] = {rotation, joint};
+    skeleton.hand_from_bone_at_zero[first_bone + bone] = {rotation, joint};
     joint += rotation.col(1) * lengths[bone];
   }
   skeleton.tip_in_distal[digit] = {0, lengths[2], 0};
@@ -45,7 +45,7 @@ Skeleton skeleton_from_measures(const HandMeasures& measures) {
     const auto digit = static_cast<std::size_t>(finger) + 1;
     const Eigen::Vector3d &cmc = measures.cmc[digit], &mcp = measures.mcp[digit - 1];
     const Eigen::Matrix3d rotation = finger_zero_rotation(finger);
-    skeleton.palm_from_bone_at_zero[finger_bone(finger, kMetacarpal)] = {
+    skeleton.hand_from_bone_at_zero[finger_bone(finger, kMetacarpal)] = {
         frame_along(mcp - cmc, rotation.col(2)), cmc};
     lay_chain(finger_bone(finger, kProximal), digit, rotation, mcp, measures.lengths[digit],
               skeleton);

@@ -96,11 +96,11 @@ std::string coco_head(const Database& database) {
                   {"version", database.info().tool},
                   {"url", ""},
                   {"graspdb", conventions(database)}};
-  const json licence{{"id", 1},
+  const json license{{"id", 1},
                      {"name", "That of the hand and object files; those of graspdb are MIT"},
                      {"url", "https://opensource.org/license/mit"}};
   return fmt::format("\"info\":{},\n\"licenses\":[{}],\n\"categories\":[{}]", info.dump(),
-                     licence.dump(), category().dump());
+                     license.dump(), category().dump());
 }
 
 std::string coco_file_name(std::size_t row) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "graspdb/database.h"
-#include "graspdb/labelled_view.h"
+#include "graspdb/database/database.h"
+#include "graspdb/pictures/labelled_view.h"
 
 namespace graspdb {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/database_rows.h"
+#include "graspdb/pictures/database_rows.h"
 
 #include <fmt/format.h>
 
 #include <set>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {
@@ -47,20 +47,17 @@ const Grasp& DatabaseRows::grasp(std::size_t row) const {
 Subject DatabaseRows::subject(std::size_t row) const {
   const PoseKey pose = key(row);
   Subject subject(poses_.hand(pose.hand), poses_.pose(pose));
-  const auto label = database_.label(row);
-  for (int i = 0; i < kAngleCount; ++i) {
-    const double difference =
-        subject.pose().pose.angles[i] - static_cast<double>(label[static_cast<std::size_t>(3 + i)]);
-    if (!(std::abs(difference) < kSameAngle)) fail_changed(database_, row, "joint angles");
-  }
+  const LabelPose label = unpack_label(database_.label(row));
+  const double difference = (subject.pose().pose.angles - label.angles).cwiseAbs().maxCoeff();
+  if (!is_finite(database_.label(row)) || !(difference < kSameAngle))
+    fail_changed(database_, row, "joint angles");
   return subject;
 }
 
 LabelledView DatabaseRows::view(const Subject& subject, std::size_t row,
                                 const Layers& layers) const {
   const Camera camera = poses_.camera(subject.pose(), database_.view(row));
-  const auto label = database_.label(row);
-  const Eigen::Matrix3d rotation = rotation_from_vector({label[0], label[1], label[2]});
+  const Eigen::Matrix3d rotation = unpack_label(database_.label(row)).rotation;
   if (!(angle_between(rotation, camera.camera_from_hand.rotation) < kSameAngle)) {
     fail_changed(database_, row, "view");
   }

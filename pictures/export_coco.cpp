@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/export_coco.h"
+#include "graspdb/pictures/export_coco.h"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,12 @@
 #include <span>
 
 #include "coco_text.h"
-#include "graspdb/database_rows.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/image_io.h"
-#include "graspdb/parallel.h"
-#include "graspdb/write_view.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/pictures/database_rows.h"
+#include "graspdb/pictures/write_view.h"
+#include "graspdb/renderer/image_io.h"
 
 namespace graspdb {
 namespace {

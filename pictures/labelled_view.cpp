@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/labelled_view.h"
+#include "graspdb/pictures/labelled_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,12 +49,12 @@ std::optional<double> PixelCounts::occlusion() const {
 std::array<double, kKeypointCount> keypoint_radii(const Hand& hand) {
   constexpr double kOblique = 1.25;  // the way through the flesh is longer when it is not square
   const std::vector<std::uint8_t> bones = strongest_bones(hand);
-  const auto palm_from_bone = palm_from_bones(hand.skeleton, JointAngles::Zero());
-  const Mesh straight = pose_skin(hand, palm_from_bone);
+  const auto hand_from_bone = hand_from_bones(hand.skeleton, JointAngles::Zero());
+  const Mesh straight = pose_skin(hand, hand_from_bone);
   std::array<double, kKeypointCount> radii;
   for (int i = 0; i < kKeypointCount; ++i) {
     const int bone = bone_around(i);
-    const RigidTransform bone_from_palm = palm_from_bone[static_cast<std::size_t>(bone)].inverse();
+    const RigidTransform bone_from_palm = hand_from_bone[static_cast<std::size_t>(bone)].inverse();
     radii[static_cast<std::size_t>(i)] = kOblique * flesh_at(bone_from_palm, bone, straight, bones);
   }
   return radii;
@@ -62,7 +62,7 @@ std::array<double, kKeypointCount> keypoint_radii(const Hand& hand) {
 
 Subject::Subject(const Hand& hand, RowPose pose)
     : pose_(std::move(pose)),
-      joints_(keypoints_in_palm(hand.skeleton, pose_.pose.angles)),
+      joints_(keypoints_in_hand(hand.skeleton, pose_.pose.angles)),
       radii_(keypoint_radii(hand)) {}
 
 LabelledView Subject::seen(const Camera& camera, const Light& light, const Layers& layers) const {

@@ -1,26 +1,39 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/pose_file.h"
+#include "graspdb/pictures/pose_file.h"
 
 #include <cmath>
 #include <optional>
 
-#include "graspdb/text.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/text.h"
+#include "graspdb/core/transform.h"
+#include "graspdb/hand/turns.h"
 
 namespace graspdb {
 namespace {
 
+// Until version 0.2 such files said yaw_deg, pitch_deg and roll_deg, and yaw began at the palm.
+void refuse_old_turns(const TomlTable& table) {
+  for (const char* key : {"yaw_deg", "pitch_deg", "roll_deg"}) {
+    if (!table.has(key)) continue;
+    table.fail(key, "view_deg = [yaw + 180, pitch, roll], which begins at the back of the hand",
+               "the key of an older version");
+  }
+}
+
+Eigen::Vector3d degrees3(const TomlTable& table, const char* key) {
+  const std::vector<double> v = table.numbers(key, 3, -720, 720);
+  return Eigen::Vector3d(v[0], v[1], v[2]) * radians(1);
+}
+
 Eigen::Matrix3d read_rotation(const TomlTable& table) {
   constexpr const char* kVector = "rotation_vector_deg";
-  const auto turn = [&](const char* key) { return radians(table.number_or(key, 0, -360, 360)); };
-  if (!table.has(kVector)) {
-    return rotation_from_turns(turn("yaw_deg"), turn("pitch_deg"), turn("roll_deg"));
-  }
-  for (const char* key : {"yaw_deg", "pitch_deg", "roll_deg"}) {
-    if (table.has(key)) table.fail(key, std::string("either this or ") + kVector, "both");
-  }
-  const std::vector<double> v = table.numbers(kVector, 3, -360, 360);
-  return rotation_from_vector(Eigen::Vector3d(v[0], v[1], v[2]) * radians(1));
+  constexpr const char* kTurns = "view_deg";
+  refuse_old_turns(table);
+  if (table.has(kVector) && table.has(kTurns))
+    table.fail(kTurns, std::string("either this or ") + kVector, "both");
+  if (table.has(kVector)) return rotation_from_vector(degrees3(table, kVector));
+  return rotation_from_turns(table.has(kTurns) ? degrees3(table, kTurns)
+                                               : Eigen::Vector3d::Zero().eval());
 }
 
 // Whole degrees must not fail by the last bit of a conversion.
@@ -40,11 +53,6 @@ JointAngles read_named_angles(const TomlTable& table) {
 }
 
 }  // namespace
-
-Eigen::Matrix3d rotation_from_turns(double yaw, double pitch, double roll) {
-  return axis_rotation(2, roll) * axis_rotation(0, pitch) * axis_rotation(1, yaw) *
-         axis_rotation(2, kPi);
-}
 
 PoseFile load_pose(const std::filesystem::path& file) {
   const TomlTable table = TomlTable::load(file);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/write_view.h"
+#include "graspdb/pictures/write_view.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/file.h"
-#include "graspdb/image_io.h"
+#include "graspdb/core/file.h"
+#include "graspdb/renderer/image_io.h"
 #include "json_numbers.h"
 
 namespace graspdb {
@@ -106,10 +106,10 @@ json describe(const LabelledView& view, const ViewSource& source) {
 
 }  // namespace
 
-Image<std::uint16_t> depth_in_mm(const Image<float>& metres) {
+Image<std::uint16_t> depth_in_mm(const Image<float>& meters) {
   static constexpr float kLargest = 65535;
-  Image<std::uint16_t> depth(metres.width(), metres.height());
-  std::transform(metres.begin(), metres.end(), depth.begin(), [](float z) {
+  Image<std::uint16_t> depth(meters.width(), meters.height());
+  std::transform(meters.begin(), meters.end(), depth.begin(), [](float z) {
     const float mm = std::isfinite(z) ? std::min(std::round(1000 * z), kLargest) : 0.0F;
     return static_cast<std::uint16_t>(mm);
   });

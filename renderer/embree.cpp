@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>

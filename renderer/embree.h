@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "graspdb/mesh.h"
+#include "graspdb/core/mesh.h"
 
 namespace graspdb::embree {
 

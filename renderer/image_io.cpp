@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/image_io.h"
+#include "graspdb/renderer/image_io.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
 
 namespace graspdb {
 

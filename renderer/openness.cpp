@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "graspdb/error.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
 #include "scene.h"
 
 namespace graspdb {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "embree.h"
-#include "graspdb/camera.h"
+#include "graspdb/core/camera.h"
 
 namespace graspdb {
 

@@ -12,7 +12,7 @@
 #include <array>
 #include <limits>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace graspdb {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "graspdb/camera.h"
+#include "graspdb/core/camera.h"
 
 namespace graspdb {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "projection.h"
 #include "scene.h"
 #include "triangle_raster.h"

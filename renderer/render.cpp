@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "packet.h"
 #include "scene.h"
 #include "shading.h"
@@ -39,8 +39,8 @@ InterpolatedVertex interpolate(const Hit& hit) {
 
 std::uint8_t shade(const HandLight& light, const InterpolatedVertex& at) {
   const float lambert = std::max(0.0F, at.normal.dot(light.towards));
-  const float grey = 255.0F * at.albedo * (light.ambient * at.openness + light.diffuse * lambert);
-  return static_cast<std::uint8_t>(std::clamp(grey, 0.0F, 255.0F) + 0.5F);
+  const float gray = 255.0F * at.albedo * (light.ambient * at.openness + light.diffuse * lambert);
+  return static_cast<std::uint8_t>(std::clamp(gray, 0.0F, 255.0F) + 0.5F);
 }
 
 class Renderer {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene.h"
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "embree.h"
-#include "graspdb/renderer.h"
+#include "graspdb/renderer/renderer.h"
 #include "triangle_raster.h"
 
 namespace graspdb {

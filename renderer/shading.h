@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "graspdb/renderer.h"
+#include "graspdb/renderer/renderer.h"
 
 namespace graspdb {
 

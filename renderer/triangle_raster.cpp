@@ -112,7 +112,7 @@ HWY_INLINE Weights WeightsAt(const Corner (&corners)[3], Vec x, Vec y) {
 
 // As render() shades: interpolated albedo and openness, interpolated normal made a unit vector. The
 // weights' common factor goes out at the end, together with the normal's length.
-HWY_INLINE hn::Vec<Ints> Grey(const Corner (&corners)[3], const Weights& weights,
+HWY_INLINE hn::Vec<Ints> Gray(const Corner (&corners)[3], const Weights& weights,
                               const HandLight& light) {
   const Floats f;
   const ShadingVertex &a = corners[0].shading, &b = corners[1].shading, &c = corners[2].shading;
@@ -130,9 +130,9 @@ HWY_INLINE hn::Vec<Ints> Grey(const Corner (&corners)[3], const Weights& weights
   const Vec diffuse =
       hn::Mul(hn::Mul(hn::Set(f, light.diffuse), sum), hn::Max(cosine, hn::Zero(f)));
   const Vec albedo = hn::Mul(hn::Set(f, 255), Dot(w, a.albedo, b.albedo, c.albedo));
-  const Vec grey =
+  const Vec gray =
       hn::Div(hn::Mul(albedo, hn::Add(ambient, diffuse)), hn::Mul(hn::Mul(sum, sum), length));
-  const Vec clipped = hn::Min(hn::Max(grey, hn::Zero(f)), hn::Set(f, 255));
+  const Vec clipped = hn::Min(hn::Max(gray, hn::Zero(f)), hn::Set(f, 255));
   return hn::ConvertTo(Ints(), hn::Add(clipped, hn::Set(f, 0.5F)));
 }
 
@@ -236,7 +236,7 @@ class Canvas {
     if (hn::AllFalse(f, nearer)) return;
     StoreRows(f, hn::IfThenElse(nearer, inverse_z, before), held_z, stride_);
     std::int32_t* held = pixels_.data() + Place(left, top);
-    const auto pixel = hn::Add(Grey(corners, weights, light), hn::Set(ints, label << 8));
+    const auto pixel = hn::Add(Gray(corners, weights, light), hn::Set(ints, label << 8));
     const auto blended =
         hn::IfThenElse(hn::RebindMask(ints, nearer), pixel, LoadRows(ints, held, stride_));
     StoreRows(ints, blended, held, stride_);

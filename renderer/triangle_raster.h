@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "graspdb/camera.h"
-#include "graspdb/mesh.h"
-#include "graspdb/renderer.h"
+#include "graspdb/core/camera.h"
+#include "graspdb/core/mesh.h"
+#include "graspdb/renderer/renderer.h"
 #include "projection.h"
 #include "shading.h"
 

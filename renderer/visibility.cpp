@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <limits>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "scene.h"
 
 namespace graspdb {

@@ -36,11 +36,12 @@ OPTIONS = {  # those that a model reads
 START = {"neighbours": 50, "kept": 20, "sigma_hog": 1.0, "sigma_stretch": 0.2, "sigma_pose": 0.35,
          "bandwidth": 0.35}
 ROUNDS = 5
-COLUMNS = 100  # of .clang-format
+MEMBER = {"neighbours": "neighbors"}  # where C++ spells it otherwise
+MAX_DISTANCE = 5.0  # not chosen: it tells what is no hand
 HEADER = """// SPDX-License-Identifier: MIT
 // Written by scripts/tune.py.
-#include "graspdb/error.h"
-#include "graspdb/tracker.h"
+#include "graspdb/core/error.h"
+#include "graspdb/tracker/tracker.h"
 
 namespace graspdb {
 
@@ -123,21 +124,20 @@ def least(model, trials, known):
     return min(of_model, key=lambda trial: error(known, trial))
 
 
-def statement(model, trial):
-    """As clang-format has it: all in one line, or each in its own."""
-    fields = [".temporal = temporal"]
-    fields += [f".{option} = {trial[option]}" for option in PLACES if option in OPTIONS[model]]
+def statement(trial):
+    """The return statement of tuned_options(). What the model does not read is as at the start."""
     begin = "      return {"
-    line = begin + ", ".join(fields) + "};"
-    if len(line) > COLUMNS:
-        line = begin + (",\n" + len(begin) * " ").join(fields) + "};"
-    return line + "\n"
+    values = {option: trial.get(option, START[option]) for option in PLACES}
+    fields = [".temporal = temporal"]
+    fields += [f".{MEMBER.get(option, option)} = {value}" for option, value in values.items()]
+    fields.append(f".max_distance = {MAX_DISTANCE}")
+    return begin + (",\n" + len(begin) * " ").join(fields) + "};\n"
 
 
 def source(best):
     """The text of tracker/tuned_options.cpp."""
     return HEADER + "".join(
-        f"    case TemporalModel::k{model.capitalize()}:\n" + statement(model, trial)
+        f"    case TemporalModel::k{model.capitalize()}:\n" + statement(trial)
         for model, trial in best.items()) + FOOTER
 
 

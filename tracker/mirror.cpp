@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mirror.h"
 
-#include <algorithm>
-
 namespace graspdb {
-
-GrayImage mirrored(const GrayImage& image) {
-  GrayImage flipped(image.width(), image.height());
-  for (int y = 0; y < image.height(); ++y) {
-    std::reverse_copy(image.row(y), image.row(y) + image.width(), flipped.row(y));
-  }
-  return flipped;
-}
+namespace {
 
 Intrinsics mirrored(const Intrinsics& camera) {
   Intrinsics flipped = camera;
@@ -19,12 +10,19 @@ Intrinsics mirrored(const Intrinsics& camera) {
   return flipped;
 }
 
+}  // namespace
+
+Observation mirrored(const Observation& seen) {
+  return {mirrored(seen.gray), mirrored(seen.hand), mirrored(seen.camera), seen.segment_ms};
+}
+
 Estimate mirrored(Estimate estimate, int image_width) {
   if (estimate.box.width == 0) return estimate;
   const Eigen::Vector3d flip(-1, 1, 1);
   estimate.box.x = image_width - estimate.box.x - estimate.box.width;
-  estimate.camera_from_hand = flip.asDiagonal() * estimate.camera_from_hand * flip.asDiagonal();
-  estimate.wrist.x() *= -1;
+  Eigen::Matrix3d& rotation = estimate.camera_from_hand.rotation;
+  rotation = (flip.asDiagonal() * rotation * flip.asDiagonal()).eval();
+  estimate.camera_from_hand.translation.x() *= -1;
   estimate.joints.row(0) *= -1;
   estimate.joints_px.row(0) = (image_width - 1) - estimate.joints_px.row(0).array();
   return estimate;

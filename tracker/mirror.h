@@ -2,13 +2,12 @@
 // A left hand is a right hand in the mirror.
 #pragma once
 
-#include "graspdb/image.h"
-#include "graspdb/tracker.h"
+#include "graspdb/core/image.h"
+#include "graspdb/tracker/tracker.h"
 
 namespace graspdb {
 
-GrayImage mirrored(const GrayImage& image);
-Intrinsics mirrored(const Intrinsics& camera);
+Observation mirrored(const Observation& seen);
 
 // The estimate as seen without the mirror: x turns its sign in the camera frame and in the hand
 // frame, which is then radial for x, and stays right-handed.

@@ -12,11 +12,11 @@ Placement place(const Box& observed, const Intrinsics& camera, const BoxTangents
   const double height = observed.height / camera.fy;
   const double scale = std::sqrt(width * height / (row_box.width * row_box.height));
   // The palm centre lies as far from the box's centre as in the row, scaled.
-  const Eigen::Vector3d box_centre =
+  const Eigen::Vector3d box_center =
       camera.ray(observed.x - 0.5 + 0.5 * observed.width, observed.y - 0.5 + 0.5 * observed.height);
   const Eigen::Vector3d offset(row_box.x + 0.5 * row_box.width, row_box.y + 0.5 * row_box.height,
                                0);
-  const Eigen::Vector3d ray = (box_centre - scale * offset).normalized();
+  const Eigen::Vector3d ray = (box_center - scale * offset).normalized();
   // A flat picture enlarges what is off its axis: lengths by 1 / cos along and 1 / cos^2 away from
   // it.
   const double enlarged = std::pow(ray.z(), -1.5);

@@ -3,16 +3,16 @@
 
 #include <Eigen/Core>
 
-#include "graspdb/camera.h"
-#include "graspdb/database.h"
-#include "graspdb/image.h"
+#include "graspdb/core/camera.h"
+#include "graspdb/core/image.h"
+#include "graspdb/database/database.h"
 
 namespace graspdb {
 
 // Where a row's hand must be so that it fills the observed box as it filled its own picture.
 struct Placement {
   Eigen::Matrix3d camera_from_row_camera;  // turns the row's optical axis to the ray to the palm
-  Eigen::Vector3d palm_centre;             // camera frame, metres
+  Eigen::Vector3d palm_center;             // camera frame, metres
 };
 
 // `row_box` is the row's own box, seen from `row_distance` metres.

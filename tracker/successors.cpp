@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "graspdb/error.h"
-#include "graspdb/pose_vector.h"
+#include "graspdb/core/error.h"
+#include "graspdb/hand/label.h"
 
 namespace graspdb {
 namespace {
@@ -24,7 +24,7 @@ std::vector<Eigen::Matrix3d> view_rotations(const Database& database) {
     if (!is_finite(label))
       throw Error({database.path().string(), fmt::format("row {}", row), "finite labels",
                    "an altered row: see `graspdb verify`"});
-    rotations.push_back(label_rotation(label));
+    rotations.push_back(unpack_label(label).rotation);
   }
   return rotations;
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "graspdb/database.h"
+#include "graspdb/database/database.h"
 
 namespace graspdb {
 

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "graspdb/error.h"
-#include "graspdb/tracker.h"
+#include "candidate.h"
+#include "graspdb/core/error.h"
+#include "graspdb/tracker/tracker.h"
 
 namespace graspdb {
 namespace {

@@ -1,34 +1,48 @@
 // SPDX-License-Identifier: MIT
 // Written by scripts/tune.py.
-#include "graspdb/error.h"
-#include "graspdb/tracker.h"
+#include "graspdb/core/error.h"
+#include "graspdb/tracker/tracker.h"
 
 namespace graspdb {
 
 TrackerOptions tuned_options(TemporalModel temporal) {
   switch (temporal) {
     case TemporalModel::kNone:
-      return {.temporal = temporal, .neighbours = 200, .sigma_hog = 0.7, .sigma_stretch = 0.2};
+      return {.temporal = temporal,
+              .neighbors = 200,
+              .kept = 20,
+              .sigma_hog = 0.7,
+              .sigma_stretch = 0.2,
+              .sigma_pose = 0.35,
+              .bandwidth = 0.35,
+              .max_distance = 5.0};
     case TemporalModel::kGaussian:
       return {.temporal = temporal,
-              .neighbours = 50,
+              .neighbors = 50,
+              .kept = 20,
               .sigma_hog = 1.0,
               .sigma_stretch = 0.3,
-              .sigma_pose = 0.35};
+              .sigma_pose = 0.35,
+              .bandwidth = 0.35,
+              .max_distance = 5.0};
     case TemporalModel::kKde:
       return {.temporal = temporal,
-              .neighbours = 200,
+              .neighbors = 200,
               .kept = 50,
               .sigma_hog = 1.0,
               .sigma_stretch = 0.15,
-              .bandwidth = 0.35};
+              .sigma_pose = 0.35,
+              .bandwidth = 0.35,
+              .max_distance = 5.0};
     case TemporalModel::kSuccessors:
       return {.temporal = temporal,
-              .neighbours = 10,
+              .neighbors = 10,
               .kept = 100,
               .sigma_hog = 0.7,
               .sigma_stretch = 0.1,
-              .bandwidth = 0.35};
+              .sigma_pose = 0.35,
+              .bandwidth = 0.35,
+              .max_distance = 5.0};
   }
   GRASPDB_CHECK(false);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// build, info, verify, index, bench and grasp check: what they print and how they refuse.
+// build, info, verify, bench and grasp check: what they print and how they refuse.
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 
@@ -50,7 +50,6 @@ TEST(DatabaseVerbs, ADatabaseIsBuiltDescribedVerifiedIndexedAndSearched) {
   EXPECT_THAT(run_program("info " + file).out, HasSubstr("\nlicence  MIT: "));
 
   EXPECT_EQ(run_program("verify " + file).code, 0);
-  EXPECT_EQ(run_program("index " + file + " --tables 2").out, file + ".lsh\n");
   const json bench =
       json::parse(run_program("bench --json --queries 3 -k 2 --frames 2 " + file).out);
   ASSERT_EQ(bench.at("searches").size(), 3u);
@@ -98,7 +97,7 @@ TEST(DatabaseVerbs, MissingAndForeignFilesAreNamed) {
   const std::string file = (directory / "text.graspdb").string();
   expect_refused(run_program("info " + file), file);
   write_text(file, "no database at all");
-  for (const char* verb : {"info ", "verify ", "index ", "bench "})
+  for (const char* verb : {"info ", "verify ", "bench "})
     expect_refused(run_program(verb + file), file);
 }
 

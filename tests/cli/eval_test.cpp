@@ -10,10 +10,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
-#include "graspdb/closing.h"
-#include "graspdb/file.h"
-#include "graspdb/rig.h"
-#include "graspdb/sequence.h"
+#include "graspdb/core/file.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/hand/rig/rig.h"
+#include "graspdb/sequences/sequence.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 

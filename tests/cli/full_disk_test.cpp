@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 

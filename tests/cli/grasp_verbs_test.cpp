@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "graspdb/image_io.h"
+#include "graspdb/renderer/image_io.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 

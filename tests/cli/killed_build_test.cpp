@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "graspdb/file.h"
-#include "graspdb/image_io.h"
+#include "graspdb/core/file.h"
+#include "graspdb/renderer/image_io.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 
@@ -57,7 +57,7 @@ TEST_F(PictureVerbs, AGraspAndTheRowOfItAreOnePicture) {
 }
 
 TEST_F(PictureVerbs, APoseIsReadFromAFile) {
-  write_text(in("pose.toml"), "yaw_deg = 180\n[angles_deg]\nindex_pip_flexion = 40\n");
+  write_text(in("pose.toml"), "view_deg = [0, 0, 0]\n[angles_deg]\nindex_pip_flexion = 40\n");
   const auto outcome =
       run_program("render --pose " + in("pose.toml") + " --hand " +
                   GRASPDB_SOURCE_DIR "/assets/hands/child.glb --out " + in("pose"));
@@ -146,9 +146,9 @@ TEST_F(PictureVerbs, ThePictureOfARowIsNearestToThatRow) {
   EXPECT_LT(answer.at("neighbours").at(0).at("distance"),
             answer.at("neighbours").at(1).at("distance"));
   EXPECT_GT(read_color(in("near.png")).width(), 500);
-  const auto grey = run_program(query);  // has no skin colour
-  EXPECT_EQ(grey.code, 1);
-  EXPECT_THAT(grey.err, HasSubstr("a hand"));
+  const auto gray = run_program(query);  // has no skin colour
+  EXPECT_EQ(gray.code, 1);
+  EXPECT_THAT(gray.err, HasSubstr("a hand"));
   const auto other_size = run_program(query + " --mask " + in("near.png"));
   EXPECT_EQ(other_size.code, 1);
   EXPECT_THAT(other_size.err, HasSubstr("256 x 256"));

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb::testing {

@@ -13,9 +13,9 @@
 #include <sstream>
 #include <thread>
 
-#include "graspdb/file.h"
-#include "graspdb/image_io.h"
-#include "graspdb/sequence.h"
+#include "graspdb/core/file.h"
+#include "graspdb/renderer/image_io.h"
+#include "graspdb/sequences/sequence.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 

@@ -37,7 +37,6 @@ TEST(WrongUse, AnUnknownVerbIsNamed) {
 TEST(WrongUse, ValuesOutOfRangeAreRefused) {
   expect_wrong_use("build --out x --hog edgy", "--hog");
   expect_wrong_use("build --out x --renderer blender", "--renderer");
-  expect_wrong_use("index db --hashes 33", "--hashes");
   expect_wrong_use("track db in --skin pale", "--skin");
   expect_wrong_use("track db in --roi 1,2,0,4", "--roi");
   expect_wrong_use("track db in --roi 1,2,3,-4", "--roi");

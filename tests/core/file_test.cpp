@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "graspdb/error.h"
-#include "graspdb/hash.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/hash.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <vector>
 
-#include "graspdb/parallel.h"
+#include "graspdb/core/parallel.h"
 
 namespace graspdb {
 namespace {

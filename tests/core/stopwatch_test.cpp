@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/stopwatch.h"
+#include "graspdb/core/stopwatch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/text.h"
+#include "graspdb/core/text.h"
 
 #include <gmock/gmock.h>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/transform.h"
+#include "graspdb/core/transform.h"
 
 #include <gtest/gtest.h>
 
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb {
 namespace {

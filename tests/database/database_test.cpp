@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/database.h"
+#include "graspdb/database/database.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"
 

@@ -3,8 +3,8 @@
 // of the writer that alters its bytes is a new version, with a golden file of its own.
 #include <gtest/gtest.h>
 
-#include "graspdb/database.h"
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
+#include "graspdb/database/database.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "graspdb/database.h"
-#include "graspdb/error.h"
-#include "graspdb/random.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/random.h"
+#include "graspdb/database/database.h"
 #include "sealed_file.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"

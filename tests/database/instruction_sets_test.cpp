@@ -10,7 +10,7 @@
 
 #include "code_distance.h"
 #include "distance.h"
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb {
 namespace {

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "graspdb/database.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/database/database.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb {
 namespace {
@@ -35,7 +35,7 @@ double score(const Cell& cell, const std::vector<float>& projected) {
   return sum;
 }
 
-TEST(ProbeSequence, GivesEveryNeighbouringCellOnceNearestFirst) {
+TEST(ProbeSequence, GivesEveryNeighboringCellOnceNearestFirst) {
   RandomStream random(0);
   for (std::size_t functions = 1; functions <= 6; ++functions) {
     std::vector<float> projected(functions);

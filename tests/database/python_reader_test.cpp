@@ -5,8 +5,8 @@
 
 #include <cstdlib>
 
-#include "graspdb/database.h"
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
+#include "graspdb/database/database.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "graspdb/file.h"
-#include "graspdb/hash.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/hash.h"
 
 namespace graspdb::testing {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/search.h"
+#include "graspdb/database/search.h"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <thread>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/hash.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/hash.h"
 #include "support/ball_hands.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"
@@ -146,20 +146,9 @@ class LshTest : public ::testing::Test {
   TemporaryDirectory directory_;
   std::filesystem::path path_ = directory_ / "hands.graspdb";
   Database database_ = database_of(path_, hands());
-  std::filesystem::path index_ = directory_ / "hands.graspdb.lsh";
-
-  std::string refusal(const std::filesystem::path& index, const Database& database) {
-    try {
-      load_lsh_search(index, database);
-      return "accepted";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.fault().file, index.string());
-      return error.fault().key;
-    }
-  }
 };
 
-TEST_F(LshTest, FindsNineOfTenNeighboursByDefault) {
+TEST_F(LshTest, FindsNineOfTenNeighborsByDefault) {
   EXPECT_GE(recall(*make_lsh_search(database_), *make_exact_search(database_), queries(40), 20),
             0.9);
 }
@@ -178,7 +167,6 @@ TEST_F(LshTest, MoreTablesAndMoreProbesFindMore) {
     return recall(*make_lsh_search(database_, options), *exact, queries(40), 1);
   };
   // One neighbour is asked for, lest the search turns exact.
-  // exact.
   EXPECT_LT(found(1, 4), 0.5);
   EXPECT_GT(found(4, 4), found(1, 4) + 0.2);
   EXPECT_GT(found(4, 40), found(4, 4) + 0.1);
@@ -211,29 +199,6 @@ TEST_F(LshTest, SearchesFromSeveralThreadsAtOnce) {
   EXPECT_EQ(together, alone);
 }
 
-TEST_F(LshTest, ASavedIndexGivesTheSameAnswers) {
-  const LshOptions options{.tables = 4, .hashes = 14, .width = 3.7, .probes = 20, .seed = ~0ULL};
-  save_lsh_index(index_, database_, options);
-  const std::unique_ptr<Search> loaded = load_lsh_search(index_, database_);
-  const std::unique_ptr<Search> made = make_lsh_search(database_, options);
-  for (const Descriptor& query : queries(20)) {
-    EXPECT_EQ(loaded->nearest(query, 20), made->nearest(query, 20));
-  }
-}
-
-TEST_F(LshTest, AnIndexOfAnotherDatabaseIsRefusedByName) {
-  save_lsh_index(index_, database_, {.tables = 2});
-  std::vector<Descriptor> rows = hands();
-  rows[5][5] ^= 1;
-  const Database other = database_of(directory_ / "other.graspdb", rows);
-  EXPECT_EQ(refusal(index_, other), "content_hash");
-}
-
-TEST_F(LshTest, ADatabaseOrNothingIsNoIndex) {
-  EXPECT_EQ(refusal(path_, database_), "data");
-  EXPECT_THROW(load_lsh_search(directory_ / "none.lsh", database_), Error);
-}
-
 TEST_F(LshTest, OptionsOutOfRangeAreRefusedByName) {
   const auto refused = [&](const LshOptions& options) -> std::string {
     try {
@@ -249,7 +214,7 @@ TEST_F(LshTest, OptionsOutOfRangeAreRefusedByName) {
   EXPECT_EQ(refused({.probes = 0}), "probes");
 }
 
-TEST_F(LshTest, ScanFindsNearlyEveryNeighbour) {
+TEST_F(LshTest, ScanFindsNearlyEveryNeighbor) {
   const std::unique_ptr<Search> exact = make_exact_search(database_);
   EXPECT_GE(recall(*make_scan_search(database_), *exact, queries(40), 20), 0.99);
   const std::unique_ptr<Search> coarse =
@@ -264,59 +229,20 @@ TEST_F(LshTest, ScanOptionsOutOfRangeAreRefusedByName) {
   EXPECT_THROW(make_scan_search(database_, {.rerank = 0}), Error);
 }
 
-// A small index, whose every byte can be tried.
-class HostileIndex : public LshTest {
- protected:
-  HostileIndex() {
-    save_lsh_index(index_, small_, {.tables = 1, .hashes = 2});
-    good_ = read_text(index_);
-  }
-  void write(const std::string& bytes) { std::ofstream(index_, std::ios::binary) << bytes; }
-  // The index with a true checksum.
-  void write_sealed(std::string bytes) {
-    bytes.resize(bytes.size() - 32);
-    write(bytes + hash_hex(bytes));
-  }
-  Database small_ = database_of(directory_ / "small.graspdb",
-                                many(8, [](std::uint64_t i) { return random_descriptor(i, 256); }));
-  std::string good_;
-};
-
-TEST_F(HostileIndex, EveryTruncationAndTrailingByteIsRefused) {
-  for (std::size_t size = 0; size < good_.size(); ++size) {
-    write(good_.substr(0, size));
-    ASSERT_NE(refusal(index_, small_), "accepted") << size;
-  }
-  write(good_ + "x");
-  EXPECT_EQ(refusal(index_, small_), "data");
-}
-
-TEST_F(HostileIndex, EveryChangedByteIsRefused) {
-  for (std::size_t at = 0; at < good_.size(); ++at) {
-    std::string bytes = good_;
-    bytes[at] = static_cast<char>(bytes[at] ^ (1 << at % 8));
-    write(bytes);
-    ASSERT_EQ(refusal(index_, small_), "data") << at;
+TEST_F(LshTest, EverySearchOpensByItsNameAndNoOther) {
+  const std::unique_ptr<Search> exact = open_search(database_, "exact");
+  for (const std::string& name : search_names())
+    EXPECT_GE(recall(*open_search(database_, name), *exact, queries(20), 5), 0.9) << name;
+  try {
+    open_search(database_, "ann");
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault().key, "search");
+    EXPECT_EQ(error.fault().found, "ann");
   }
 }
 
-TEST_F(HostileIndex, EveryChangedByteUnderATrueChecksumIsRefusedOrStaysInsideTheDatabase) {
-  RandomStream random(9);
-  for (std::size_t at = 0; at + 32 < good_.size(); ++at) {
-    std::string bytes = good_;
-    bytes[at] = static_cast<char>(random.below(256));
-    write_sealed(bytes);
-    try {
-      const std::unique_ptr<Search> search = load_lsh_search(index_, small_);
-      for (const Neighbor& neighbor : search->nearest(random_descriptor(2, 256), 4)) {
-        ASSERT_LT(neighbor.row, 8u);
-      }
-    } catch (const Error&) {
-    }
-  }
-}
-
-TEST(Recall, IsTheShareOfTheTrueNeighboursThatWereFound) {
+TEST(Recall, IsTheShareOfTheTrueNeighborsThatWereFound) {
   // A search that never gives odd rows.
   class EvenRows : public Search {
    public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/baselines.h"
+#include "graspdb/evaluation/baselines.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "small_grid.h"
 
 namespace graspdb {
@@ -24,11 +24,11 @@ class BaselinesOfASmallGrid : public testing::SmallGrid {
         (joints.col(0) + joints.col(5) + joints.col(9) + joints.col(13) + joints.col(17)) / 5;
     const Eigen::Matrix3d turn =
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), palm).toRotationMatrix();
-    const JointAngles angles = label_angles(database_->label(row));
-    const Eigen::Matrix3d rotation = turn * label_rotation(database_->label(row));
+    const JointAngles angles = unpack_label(database_->label(row)).angles;
+    const Eigen::Matrix3d rotation = turn * unpack_label(database_->label(row)).rotation;
     const Skeleton skeleton = testing::toy_skeleton();
-    const Eigen::Vector3d wrist = palm - rotation * palm_centre(skeleton, angles);
-    return {{rotation, angles, (rotation * keypoints_in_palm(skeleton, angles)).colwise() + wrist},
+    const Eigen::Vector3d wrist = palm - rotation * palm_center(skeleton, angles);
+    return {{rotation, angles, (rotation * keypoints_in_hand(skeleton, angles)).colwise() + wrist},
             {{database_->grasp(row), 1.0}}};
   }
 
@@ -72,7 +72,7 @@ TEST_F(BaselinesOfASmallGrid, ARowSeenByTheGridIsTheDatabasesRow) {
     const Pose seen = grid_->seen(grid_->pose_of(row), grid_->view_of(row), truth_[0].pose);
     const Pose expected = answer(row, truth_[0]).pose;
     EXPECT_LT((seen.joints - expected.joints).norm(), 1e-12);
-    EXPECT_LT((seen.camera_from_hand - expected.camera_from_hand).norm(), 1e-12);
+    EXPECT_LT((seen.rotation - expected.rotation).norm(), 1e-12);
     EXPECT_EQ(seen.angles, expected.angles);
   }
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/bootstrap.h"
+#include "graspdb/evaluation/bootstrap.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb {
 namespace {

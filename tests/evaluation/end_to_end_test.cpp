@@ -5,11 +5,11 @@
 
 #include <Eigen/Geometry>
 
-#include "graspdb/closing.h"
-#include "graspdb/generator.h"
-#include "graspdb/posed_scene.h"
-#include "graspdb/rig.h"
-#include "graspdb/tracker.h"
+#include "graspdb/generator/generator.h"
+#include "graspdb/generator/posed_scene.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/hand/rig/rig.h"
+#include "graspdb/tracker/tracker.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -31,7 +31,7 @@ TEST(EndToEnd, ARowSeenOffTheAxisIsFoundWithItsPoseAndPlace) {
   build_database(config, {.out = directory / "small.graspdb"});
   const Database database = Database::open(directory / "small.graspdb");
   const auto search = make_exact_search(database);
-  Tracker tracker(database, *search, {.temporal = TemporalModel::kNone});
+  Tracker tracker(database, *search, tuned_options(TemporalModel::kNone));
 
   const Hand hand = with_visible_forearm(load_hand(config.hands.front()), config.visible_forearm);
   const Grasp grasp = load_grasp(config.grasps / "14_tripod.toml");
@@ -41,14 +41,14 @@ TEST(EndToEnd, ARowSeenOffTheAxisIsFoundWithItsPoseAndPlace) {
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), palm).toRotationMatrix();
   for (const std::size_t row : {0U, 7U, 19U, 33U}) {
-    const Eigen::Matrix3d rotation = turn * label_rotation(database.label(row));
-    const Eigen::Vector3d wrist = palm - rotation * posed.centre;
+    const Eigen::Matrix3d rotation = turn * unpack_label(database.label(row)).rotation;
+    const Eigen::Vector3d wrist = palm - rotation * posed.center;
     const View view = render(posed.scene, {kCamera, {rotation, wrist}}, config.light);
     const Estimate estimate = tracker.step({view.shading, visible_hand(view), kCamera});
     ASSERT_TRUE(estimate.valid);
     EXPECT_EQ(estimate.row, row);
-    EXPECT_LT(degrees(angle_between(estimate.camera_from_hand, rotation)), 3);
-    EXPECT_LT((estimate.wrist - wrist).norm(), 0.025);
+    EXPECT_LT(degrees(angle_between(estimate.camera_from_hand.rotation, rotation)), 3);
+    EXPECT_LT((estimate.camera_from_hand.translation - wrist).norm(), 0.025);
     EXPECT_LT((estimate.angles - pose.angles).cwiseAbs().maxCoeff(), 1e-5);
   }
 }

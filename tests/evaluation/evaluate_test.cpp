@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs over frames that are the rows of a small database themselves.
-#include "graspdb/evaluate.h"
+#include "graspdb/evaluation/evaluate.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <memory>
 #include <optional>
 
-#include "graspdb/closing.h"
-#include "graspdb/generator.h"
-#include "graspdb/posed_scene.h"
-#include "graspdb/rig.h"
+#include "graspdb/generator/generator.h"
+#include "graspdb/generator/posed_scene.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/hand/rig/rig.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -57,13 +57,12 @@ class RowsAsFrames : public ::testing::Test {
       FrameTruth truth;
       truth.time = 0.1 * static_cast<double>(i);
       truth.closure = i < 5 ? 0.3 : 1;
-      truth.camera_from_hand = label_rotation(database_->label(i));
-      truth.wrist = Eigen::Vector3d(0, 0, 0.7) - truth.camera_from_hand * posed.centre;
+      auto& [rotation, wrist] = truth.camera_from_hand;
+      rotation = unpack_label(database_->label(i)).rotation;
+      wrist = Eigen::Vector3d(0, 0, 0.7) - rotation * posed.center;
       truth.angles = pose.angles;
-      truth.joints =
-          (truth.camera_from_hand * keypoints_in_palm(hand.skeleton, pose.angles)).colwise() +
-          truth.wrist;
-      const Camera camera{frames_.camera, {truth.camera_from_hand, truth.wrist}};
+      truth.joints = (rotation * keypoints_in_hand(hand.skeleton, pose.angles)).colwise() + wrist;
+      const Camera camera{frames_.camera, truth.camera_from_hand};
       const View view = render(posed.scene, camera, config.light);
       frames_.gray.push_back(view.shading);
       frames_.hand.push_back(visible_hand(view));
@@ -120,7 +119,8 @@ TEST_F(RowsAsFrames, AFrameWithoutAnAnswerCountsWithTheOneBefore) {
   EXPECT_FALSE(run.frames[6].valid);
   EXPECT_EQ(run.frames[6].box_height_px, 0);
   EXPECT_NEAR(run.frames[6].errors[kRotationDeg],
-              degrees(angle_between(gap.truth[5].camera_from_hand, gap.truth[6].camera_from_hand)),
+              degrees(angle_between(gap.truth[5].camera_from_hand.rotation,
+                                    gap.truth[6].camera_from_hand.rotation)),
               3);
   EXPECT_GT(run.frames[6].pose_error_gap.unanswered, 0.1);
   EXPECT_EQ(run.frames[6].pose_error_gap.choice, 0);
@@ -139,7 +139,8 @@ TEST_F(RowsAsFrames, RecoveryCountsTheWrongFramesUntilThen) {
   // Black are frames 2 to 11; of the three after them the first shows another row than it says.
   wrong.gray[12] = frames_.gray[0];
   wrong.hand[12] = frames_.hand[0];
-  ASSERT_GT(rotation_deg(frames_.truth[0].camera_from_hand, frames_.truth[12].camera_from_hand),
+  ASSERT_GT(rotation_deg(frames_.truth[0].camera_from_hand.rotation,
+                         frames_.truth[12].camera_from_hand.rotation),
             kRecoveredDeg + 5);
   EXPECT_EQ(evaluated(wrong).recoveries[0].frames, 1);
   EXPECT_TRUE(evaluated(wrong).recoveries[0].recovered);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/evaluation_set.h"
+#include "graspdb/evaluation/evaluation_set.h"
 
 #include <gtest/gtest.h>
 

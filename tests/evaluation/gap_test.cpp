@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/gap.h"
+#include "graspdb/evaluation/gap.h"
 
 #include "small_grid.h"
 
@@ -38,7 +38,7 @@ TEST_F(GapOfASmallGrid, BothSplitsAddUpToTheGap) {
   for (const std::uint32_t row : {3U, 40U, 71U}) {
     Pose answer = seen(row);
     const Eigen::Matrix3d off = axis_rotation(0, 0.1);  // placed a little wrong
-    answer.camera_from_hand = off * answer.camera_from_hand;
+    answer.rotation = off * answer.rotation;
     answer.joints = off * answer.joints;
     const std::vector<std::uint32_t> rows = {row, 5};
     for (const PoseMetric metric : {PoseMetric{pose_error}, PoseMetric{joint_distance_mm}}) {

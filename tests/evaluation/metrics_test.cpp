@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/metrics.h"
+#include "graspdb/evaluation/metrics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "graspdb/transform.h"
+#include "graspdb/core/transform.h"
 #include "support/toy_skeleton.h"
 
 namespace graspdb {
@@ -16,7 +16,7 @@ constexpr Intrinsics kCamera{
     .width = 640, .height = 480, .fx = 500, .fy = 500, .cx = 319.5, .cy = 239.5};
 
 Pose pose_with(const Eigen::Matrix3d& rotation, const JointAngles& angles) {
-  Keypoints joints = rotation * keypoints_in_palm(testing::toy_skeleton(), angles);
+  Keypoints joints = rotation * keypoints_in_hand(testing::toy_skeleton(), angles);
   joints.row(2).array() += 0.5;
   return {rotation, angles, joints};
 }
@@ -106,7 +106,7 @@ TEST(Metrics, MpjpeIgnoresWhereTheWristIs) {
   EXPECT_NEAR(errors_of(pose)[kMpjpeMm], 1, 1e-9);
 }
 
-TEST(Metrics, ScaleIsNormalisedAwayButNotATurn) {
+TEST(Metrics, ScaleIsNormalizedAwayButNotATurn) {
   Pose larger = kFlat;
   larger.joints = 1.3 * (kFlat.joints.colwise() - kFlat.joints.col(0));
   EXPECT_NEAR(errors_of(larger)[kSnMpjpeMm], 0, 1e-9);

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "graspdb/baselines.h"
-#include "graspdb/pose_vector.h"
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
+#include "graspdb/evaluation/baselines.h"
+#include "graspdb/tracker/pose_vector.h"
 #include "support/temporary_directory.h"
 #include "support/toy_skeleton.h"
 
@@ -82,13 +82,12 @@ class SmallGrid : public ::testing::Test {
     Target target;
     target.camera = kCamera;
     Pose& pose = target.pose;
-    pose.camera_from_hand = random_rotation(random);
+    pose.rotation = random_rotation(random);
     pose.angles = random_angles(random);
     const Eigen::Vector3d wrist(random.uniform(-0.2, 0.2), random.uniform(-0.1, 0.1), 0.6);
     // Another size than the database's hand.
     pose.joints =
-        (1.15 * pose.camera_from_hand * keypoints_in_palm(toy_skeleton(), pose.angles)).colwise() +
-        wrist;
+        (1.15 * pose.rotation * keypoints_in_hand(toy_skeleton(), pose.angles)).colwise() + wrist;
     return target;
   }
 

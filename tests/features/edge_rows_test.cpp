@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 #include "support/instruction_sets.h"
 
 namespace graspdb {

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "graspdb/segmentation.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/transform.h"
+#include "graspdb/features/segmentation.h"
 
 namespace graspdb {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/hog.h"
+#include "graspdb/features/hog.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "features/pictures.h"
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb {
 namespace {
@@ -27,8 +27,8 @@ TEST(TightBox, HoldsTheOutermostPixels) {
 }
 
 TEST(HogName, EveryModeComesBackAndOthersAreRefusedByName) {
-  for (const HogMode mode : {HogMode::kPaper, HogMode::kEdges}) {
-    EXPECT_EQ(hog_from_name(hog_name({mode}), "a file").mode, mode);
+  for (const HogMode mode : {HogMode::kPaper, HogMode::kSoftEdges}) {
+    EXPECT_EQ(hog_from_name(hog_name(mode), "a file"), mode);
   }
   try {
     hog_from_name("papier", "some.db");
@@ -78,7 +78,7 @@ TEST_P(EveryMode, SinglePixelsAndThinLinesAreDescribed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Hog, EveryMode, ::testing::Values(HogMode::kPaper, HogMode::kEdges),
+INSTANTIATE_TEST_SUITE_P(Hog, EveryMode, ::testing::Values(HogMode::kPaper, HogMode::kSoftEdges),
                          [](const auto& instance) {
                            return instance.param == HogMode::kPaper ? "paper" : "edges";
                          });

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graspdb/random.h"
-#include "graspdb/segmentation.h"
+#include "graspdb/core/random.h"
+#include "graspdb/features/segmentation.h"
 
 namespace graspdb {
 namespace {
@@ -170,7 +170,7 @@ TEST(FindHand, APatchOfOneTintIsNoHand) {
   EXPECT_EQ(area(find_hand(frame)), 0);
 }
 
-TEST(FindHand, AWallAloneAndOtherColoursAreNoHand) {
+TEST(FindHand, AWallAloneAndOtherColorsAreNoHand) {
   EXPECT_EQ(area(find_hand(ColorImage(kWidth, kHeight, kWall))), 0);
   const Bgr magenta = {200, 80, 200}, green = {60, 180, 60};
   EXPECT_EQ(area(find_hand(painted(palm_and_arm(), magenta))), 0);

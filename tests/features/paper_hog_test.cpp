@@ -7,9 +7,9 @@
 #include <fstream>
 
 #include "features/pictures.h"
-#include "graspdb/file.h"
-#include "graspdb/hog.h"
-#include "graspdb/renderer.h"
+#include "graspdb/core/file.h"
+#include "graspdb/features/hog.h"
+#include "graspdb/renderer/renderer.h"
 #include "renderer/shapes.h"
 #include "support/temporary_directory.h"
 
@@ -25,12 +25,12 @@ int at(const Descriptor& descriptor, int row, int column, int bin) {
 }
 
 // An all-hand picture of this function of the pixel.
-template <typename Grey>
-Picture drawn(int width, int height, Grey grey) {
+template <typename Gray>
+Picture drawn(int width, int height, Gray gray) {
   Picture picture{GrayImage(width, height), Mask(width, height, 255)};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      picture.gray.at(x, y) = static_cast<std::uint8_t>(std::lround(grey(x, y)));
+      picture.gray.at(x, y) = static_cast<std::uint8_t>(std::lround(gray(x, y)));
     }
   }
   return picture;
@@ -41,7 +41,7 @@ TEST(PaperHog, ATiltedRampFillsTheBinOfItsDirection) {
     const double c = 2.5 * std::cos(radians(angle_deg)), s = 2.5 * std::sin(radians(angle_deg));
     const Picture picture =
         drawn(64, 64, [&](int x, int y) { return 128 + c * (x - 32) + s * (y - 32); });
-    const Descriptor descriptor = describe(picture.gray, picture.mask);
+    const Descriptor descriptor = describe(picture.gray, picture.mask, HogMode::kPaper);
     // An inner cell: all 64 pixels are hand and vote alike, but for the grey levels' rounding.
     EXPECT_GT(at(descriptor, 3, 4, static_cast<int>(angle_deg / 22.5)), 150) << angle_deg;
   }
@@ -51,7 +51,7 @@ TEST(PaperHog, AxisParallelAndDiagonalGradientsStartTheirBins) {
   const auto bin_of = [](int gx, int gy) {
     const Picture picture =
         drawn(64, 64, [&](int x, int y) { return 128 + gx * (x - 32) + gy * (y - 32); });
-    const Descriptor descriptor = describe(picture.gray, picture.mask);
+    const Descriptor descriptor = describe(picture.gray, picture.mask, HogMode::kPaper);
     for (int bin = 0; bin < 8; ++bin) {
       if (at(descriptor, 3, 3, bin) == 255) return bin;
     }
@@ -71,7 +71,8 @@ TEST(PaperHog, AddingABrightnessChangesNoInnerCell) {
   const auto wave = [](int x, int y) { return 100 + 40 * std::sin(0.2 * x) * std::cos(0.15 * y); };
   const Picture dark = drawn(90, 75, wave);
   const Picture light = drawn(90, 75, [&](int x, int y) { return 50 + std::lround(wave(x, y)); });
-  const Descriptor a = describe(dark.gray, dark.mask), b = describe(light.gray, light.mask);
+  const Descriptor a = describe(dark.gray, dark.mask, HogMode::kPaper),
+                   b = describe(light.gray, light.mask, HogMode::kPaper);
   for (int row = 1; row < 7; ++row) {
     for (int column = 1; column < 7; ++column) {
       for (int bin = 0; bin < 8; ++bin) EXPECT_EQ(at(a, row, column, bin), at(b, row, column, bin));
@@ -84,8 +85,8 @@ TEST(PaperHog, HalfATurnPermutesTheCells) {
   Picture turned = picture;
   std::reverse(turned.gray.begin(), turned.gray.end());
   std::reverse(turned.mask.begin(), turned.mask.end());
-  const Descriptor a = describe(picture.gray, picture.mask);
-  const Descriptor b = describe(turned.gray, turned.mask);
+  const Descriptor a = describe(picture.gray, picture.mask, HogMode::kPaper);
+  const Descriptor b = describe(turned.gray, turned.mask, HogMode::kPaper);
   for (int row = 0; row < 8; ++row) {
     for (int column = 0; column < 8; ++column) {
       for (int bin = 0; bin < 8; ++bin) {
@@ -102,14 +103,15 @@ TEST(PaperHog, ACellWeighsItsShareOfHandPixels) {
   for (int y = 0; y < 64; ++y) {
     if (y % 8 >= 4 && y != 63) std::fill_n(picture.mask.row(y), 64, std::uint8_t{0});
   }
-  const Descriptor descriptor = describe(picture.gray, picture.mask);
+  const Descriptor descriptor = describe(picture.gray, picture.mask, HogMode::kPaper);
   int sum = 0;
   for (int bin = 0; bin < 8; ++bin) sum += at(descriptor, 3, 3, bin);
   EXPECT_NEAR(sum, 127.5, 4);
 }
 
 TEST(PaperHog, AFlatHandVotesOnlyAtItsOutline) {
-  const Descriptor descriptor = describe(GrayImage(64, 64, 130), Mask(64, 64, 255));
+  const Descriptor descriptor =
+      describe(GrayImage(64, 64, 130), Mask(64, 64, 255), HogMode::kPaper);
   for (int bin = 0; bin < 8; ++bin) EXPECT_EQ(at(descriptor, 3, 3, bin), 0);
   EXPECT_EQ(at(descriptor, 3, 0, 0), 255);  // the left side: a horizontal gradient
   EXPECT_EQ(at(descriptor, 0, 3, 4), 255);
@@ -176,7 +178,7 @@ TEST(PaperHog, AgreesWithNumpyInAllValues) {
   const std::string out = read_text(folder / "out");
   ASSERT_EQ(out.size(), 512 * pictures.size());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const Descriptor ours = describe(pictures[i].gray, pictures[i].mask);
+    const Descriptor ours = describe(pictures[i].gray, pictures[i].mask, HogMode::kPaper);
     Descriptor theirs;
     std::copy_n(out.begin() + static_cast<std::ptrdiff_t>(512 * i), 512, theirs.begin());
     EXPECT_EQ(ours, theirs) << "picture " << i;

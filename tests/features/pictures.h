@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "graspdb/image.h"
-#include "graspdb/random.h"
+#include "graspdb/core/image.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb::testing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/segmentation.h"
+#include "graspdb/features/segmentation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb {
 namespace {
@@ -48,10 +48,10 @@ TEST(SegmentSkin, RednessFindsTheHandInWhiteWarmAndDimLight) {
   const Bgr skin{130, 150, 200}, wall{200, 205, 205};
   for (const auto& [blue, green, red] :
        {std::array{1.0, 1.0, 1.0}, {0.45, 0.8, 1.1}, {0.3, 0.3, 0.32}}) {
-    const auto lit = [&](const Bgr& colour) {
-      return Bgr{static_cast<std::uint8_t>(blue * colour[0]),
-                 static_cast<std::uint8_t>(green * colour[1]),
-                 static_cast<std::uint8_t>(red * colour[2])};
+    const auto lit = [&](const Bgr& color) {
+      return Bgr{static_cast<std::uint8_t>(blue * color[0]),
+                 static_cast<std::uint8_t>(green * color[1]),
+                 static_cast<std::uint8_t>(red * color[2])};
     };
     EXPECT_EQ(segment_skin(frame_of(lit(skin), lit(wall))), hand_mask()) << blue;
   }
@@ -69,20 +69,20 @@ TEST(SegmentSkin, VioletIsNotRed) {
   EXPECT_EQ(segment_skin(frame), hand_mask());
 }
 
-TEST(SegmentSkin, AGreyFrameHoldsNoHand) {
+TEST(SegmentSkin, AGrayFrameHoldsNoHand) {
   const Mask mask = segment_skin(frame_of({90, 90, 90}, {160, 160, 160}));
   EXPECT_FALSE(largest_region(mask, SkinOptions{}.min_area_px));
 }
 
 TEST(SegmentSkin, TheBoxTakesHuesOnBothSidesOfRed) {
   SkinOptions options{.rule = SkinRule::kBox, .hue_mean = 2, .hue_range = 8};
-  const Bgr grey{120, 120, 120};
-  EXPECT_EQ(segment_skin(frame_of({60, 80, 200}, grey), options), hand_mask());  // hue 4
-  EXPECT_EQ(segment_skin(frame_of({80, 60, 200}, grey), options), hand_mask());  // hue 176
-  EXPECT_EQ(area(segment_skin(frame_of({60, 200, 80}, grey), options)), 0);      // green
-  EXPECT_EQ(area(segment_skin(frame_of({120, 60, 200}, grey), options)), 0);     // hue 167
+  const Bgr gray{120, 120, 120};
+  EXPECT_EQ(segment_skin(frame_of({60, 80, 200}, gray), options), hand_mask());  // hue 4
+  EXPECT_EQ(segment_skin(frame_of({80, 60, 200}, gray), options), hand_mask());  // hue 176
+  EXPECT_EQ(area(segment_skin(frame_of({60, 200, 80}, gray), options)), 0);      // green
+  EXPECT_EQ(area(segment_skin(frame_of({120, 60, 200}, gray), options)), 0);     // hue 167
   options.value_range = 40;
-  EXPECT_EQ(area(segment_skin(frame_of({60, 80, 200}, grey), options)), 0);  // too bright now
+  EXPECT_EQ(area(segment_skin(frame_of({60, 80, 200}, gray), options)), 0);  // too bright now
 }
 
 TEST(SegmentSkin, TheClosingFillsSpecks) {
@@ -145,7 +145,7 @@ TEST(LargestRegion, KeepsToTheRoiAndTheLeastArea) {
   EXPECT_FALSE(largest_region(Mask(10, 10), 0));
 }
 
-TEST(ToGray, WeighsTheColoursAsRec601) {
+TEST(ToGray, WeighsTheColorsAsRec601) {
   EXPECT_EQ(to_gray(ColorImage(3, 2, Bgr{10, 100, 200})), GrayImage(3, 2, 120));
 }
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "database/sealed_file.h"
-#include "graspdb/database.h"
-#include "graspdb/error.h"
-#include "graspdb/random.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/random.h"
+#include "graspdb/database/database.h"
 #include "memory_file.h"
 
 namespace graspdb {
@@ -25,7 +25,7 @@ bool is_sound(const Database& database, std::size_t row) {
          database.view(row) < static_cast<std::uint32_t>(info.views) && database.step(row) >= 1 &&
          database.step(row) <= info.steps &&
          std::ranges::count(info.grasps, database.grasp(row), &GraspEntry::id) == 1 &&
-         std::ranges::all_of(database.label(row), [](float value) { return std::isfinite(value); });
+         is_finite(database.label(row));
 }
 
 void expect_sound_or_refused(const std::string& bytes) {

@@ -2,8 +2,8 @@
 // Whatever a grasp file holds: it gives a grasp with a finite pose, or an Error refuses it.
 #include <cstdlib>
 
-#include "graspdb/error.h"
-#include "graspdb/grasp.h"
+#include "graspdb/core/error.h"
+#include "graspdb/grasps/grasp.h"
 #include "memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "graspdb/error.h"
+#include "graspdb/core/error.h"
 #include "memory_file.h"
 #include "rig_map.h"
 

@@ -3,15 +3,15 @@
 
 #include <set>
 
-#include "graspdb/closing.h"
-#include "graspdb/database.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/generator.h"
-#include "graspdb/hash.h"
-#include "graspdb/posed_scene.h"
-#include "graspdb/rig.h"
-#include "graspdb/views.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/hash.h"
+#include "graspdb/database/database.h"
+#include "graspdb/generator/generator.h"
+#include "graspdb/generator/posed_scene.h"
+#include "graspdb/generator/views.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/hand/rig/rig.h"
 #include "small_build.h"
 #include "support/temporary_directory.h"
 

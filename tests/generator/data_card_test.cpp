@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "graspdb/database.h"
-#include "graspdb/file.h"
-#include "graspdb/generator.h"
+#include "graspdb/core/file.h"
+#include "graspdb/database/database.h"
+#include "graspdb/generator/generator.h"
 #include "small_build.h"
 #include "support/temporary_directory.h"
 
@@ -65,7 +65,7 @@ TEST_F(DataCard, RepeatsWhatARigMapAndAGraspFileState) {
   EXPECT_THAT(found.at("licence").get<std::string>(), StartsWith("CC BY 4.0, MIT: "));
 }
 
-TEST_F(DataCard, SaysWhenALicenceIsNotStated) {
+TEST_F(DataCard, SaysWhenALicenseIsNotStated) {
   use_own_hand("");
   const json found = card();
   EXPECT_EQ(found.at("hands").at(0).at("licence"), "not stated");

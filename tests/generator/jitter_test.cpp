@@ -4,12 +4,12 @@
 
 #include <set>
 
-#include "graspdb/angles.h"
-#include "graspdb/database.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/generator.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/transform.h"
+#include "graspdb/database/database.h"
+#include "graspdb/generator/generator.h"
+#include "graspdb/hand/angles.h"
 #include "small_build.h"
 #include "support/temporary_directory.h"
 

@@ -5,11 +5,11 @@
 
 #include <cstdlib>
 
-#include "graspdb/closing.h"
-#include "graspdb/database.h"
-#include "graspdb/file.h"
-#include "graspdb/generator.h"
-#include "graspdb/rig.h"
+#include "graspdb/core/file.h"
+#include "graspdb/database/database.h"
+#include "graspdb/generator/generator.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/hand/rig/rig.h"
 #include "small_build.h"
 #include "support/temporary_directory.h"
 

@@ -7,10 +7,10 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "graspdb/database.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/generator.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/database/database.h"
+#include "graspdb/generator/generator.h"
 #include "small_build.h"
 #include "support/temporary_directory.h"
 
@@ -158,7 +158,7 @@ TEST_F(Shards, AreMadeAgainForEveryOtherOption) {
   EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.light.ambient = 0.36; }));
   EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.light.diffuse = 0.61; }));
   EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.light.towards_light_in_camera.x() = 1; }));
-  EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.hog.mode = HogMode::kPaper; }));
+  EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.hog = HogMode::kPaper; }));
   EXPECT_TRUE(rendered_with([](BuildConfig& c) { c.renderer = RowRenderer::kEmbree; }));
   EXPECT_EQ(build().rendered_rows, 0);
 }
@@ -230,7 +230,7 @@ TEST_F(Shards, OfABuildThatFoundTheDiskFullAreKeptAndNothingHalf) {
 }
 
 TEST_F(Shards, ADatabaseIsMadeAgainFromItsOwnConfiguration) {
-  config_.hog.mode = HogMode::kPaper;
+  config_.hog = HogMode::kPaper;
   config_.visible_forearm = 0.03;
   config_.light.towards_light_in_camera = {0.1, -0.7, -1};
   const BuildReport first = build();

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "graspdb/build_config.h"
+#include "graspdb/generator/build_config.h"
 
 namespace graspdb::testing {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/views.h"
+#include "graspdb/generator/views.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "graspdb/transform.h"
+#include "graspdb/core/transform.h"
 #include "support/nearest_views.h"
 
 namespace graspdb {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "graspdb/closing.h"
-#include "graspdb/rig.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/hand/rig/rig.h"
 
 namespace graspdb {
 namespace {
@@ -78,7 +78,7 @@ class ThinCard : public Check {
     grasp_.approach.setZero();
     grasp_.required_digits = {};
     grasp_.free_digits = {};
-    const auto posed = palm_from_bones(male().skeleton, closed_.angles);
+    const auto posed = hand_from_bones(male().skeleton, closed_.angles);
     const RigidTransform& distal = posed[finger_bone(0, kDistal)];
     double pulp = 0;
     for (const Eigen::Vector3f& v : pose_skin(male(), closed_.angles).vertices) {

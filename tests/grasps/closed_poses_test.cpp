@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "graspdb/closing.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/random.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/random.h"
+#include "graspdb/grasps/closing.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -28,7 +28,7 @@ ClosedPoses toy_poses(const std::map<int, GraspPose>& poses) {
   return closed;
 }
 
-TEST(ClosedPoses, ReturnFromTheirFileToAHundredthOfAMillimetre) {
+TEST(ClosedPoses, ReturnFromTheirFileToAHundredthOfAMillimeter) {
   const testing::TemporaryDirectory folder;
   const std::map<int, GraspPose> poses = {{3, random_pose(1)}, {101, random_pose(2)}};
   save_closed_poses(folder / "toy.toml", toy_poses(poses));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/closing.h"
+#include "graspdb/grasps/closing.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "graspdb/file.h"
-#include "graspdb/rig.h"
+#include "graspdb/core/file.h"
+#include "graspdb/hand/rig/rig.h"
 #include "support/temporary_directory.h"
 #include "support/toy_hand.h"
 
@@ -42,7 +42,7 @@ TEST(Closing, GivesTheSameBitsTwice) {
   EXPECT_EQ(a.hand_from_object.translation, b.hand_from_object.translation);
 }
 
-TEST(Closing, AgreesWithTheCommittedPoseToATenthOfAMillimetre) {
+TEST(Closing, AgreesWithTheCommittedPoseToATenthOfAMillimeter) {
   const Hand hand = load_hand(GRASPDB_SOURCE_DIR "/assets/hands/male.glb");
   const Grasp grasp = load_grasp(kGrasps / "09_palmar_pinch.toml");
   const GraspPose committed = load_closed_poses(kGrasps / "closed/male.toml").poses.at(9);

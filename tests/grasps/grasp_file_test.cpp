@@ -6,8 +6,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "graspdb/error.h"
-#include "graspdb/grasp.h"
+#include "graspdb/core/error.h"
+#include "graspdb/grasps/grasp.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {

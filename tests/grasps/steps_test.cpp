@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "graspdb/grasp.h"
+#include "graspdb/grasps/grasp.h"
 
 namespace graspdb {
 namespace {

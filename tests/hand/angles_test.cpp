@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/angles.h"
+#include "graspdb/hand/angles.h"
 
 #include <gtest/gtest.h>
 
-#include "graspdb/transform.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 namespace {

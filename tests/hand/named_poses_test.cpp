@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/named_poses.h"
+#include "graspdb/hand/named_poses.h"
 
 #include <gtest/gtest.h>
 
-#include "graspdb/error.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 namespace {

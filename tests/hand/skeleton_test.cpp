@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/skeleton.h"
+#include "graspdb/hand/skeleton.h"
 
 #include <gtest/gtest.h>
 
-#include "graspdb/error.h"
-#include "graspdb/random.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/random.h"
 #include "support/toy_skeleton.h"
 
 namespace graspdb {
@@ -13,10 +13,10 @@ namespace {
 Keypoints keypoints_with(int angle, double value) {
   JointAngles angles = JointAngles::Zero();
   angles[angle] = value;
-  return keypoints_in_palm(testing::toy_skeleton(), angles);
+  return keypoints_in_hand(testing::toy_skeleton(), angles);
 }
 
-const Keypoints kFlat = keypoints_in_palm(testing::toy_skeleton(), JointAngles::Zero());
+const Keypoints kFlat = keypoints_in_hand(testing::toy_skeleton(), JointAngles::Zero());
 
 TEST(Skeleton, FlatHandIsStraight) {
   EXPECT_NEAR(hand_length(testing::toy_skeleton()), std::hypot(0.01, 0.09) + 0.085, 1e-9);
@@ -47,7 +47,7 @@ TEST(Skeleton, ThumbAxialRotationTurnsThePulpToTheFingers) {
   JointAngles angles = JointAngles::Zero();
   const auto pulp = [&] {  // the direction opposite to the nail
     return Eigen::Vector3d(
-        -palm_from_bones(testing::toy_skeleton(), angles)[kThumbDistal].rotation.col(2));
+        -hand_from_bones(testing::toy_skeleton(), angles)[kThumbDistal].rotation.col(2));
   };
   angles[kThumbCmcAbduction] = radians(45);
   const double before = pulp().z();
@@ -58,21 +58,21 @@ TEST(Skeleton, ThumbAxialRotationTurnsThePulpToTheFingers) {
 TEST(Skeleton, WristAnglesMoveTheForearmOnly) {
   JointAngles angles = JointAngles::Zero();
   angles[kWristFlexion] = 0.4;
-  const auto frames = palm_from_bones(testing::toy_skeleton(), angles);
+  const auto frames = hand_from_bones(testing::toy_skeleton(), angles);
   // The hand flexes towards its palm, so that seen from the palm the elbow goes palmar as well.
   EXPECT_LT((frames[kForearm] * Eigen::Vector3d(0, -0.2, 0)).z(), -0.05);
   EXPECT_EQ(keypoints_with(kWristFlexion, 0.4), kFlat);
   angles.setZero();
   angles[kWristDeviation] = 0.2;  // radial: the elbow goes radial as well
   EXPECT_LT(
-      (palm_from_bones(testing::toy_skeleton(), angles)[kForearm] * Eigen::Vector3d(0, -0.2, 0))
+      (hand_from_bones(testing::toy_skeleton(), angles)[kForearm] * Eigen::Vector3d(0, -0.2, 0))
           .x(),
       -0.02);
 }
 
 TEST(Skeleton, EveryAngleMovesOnlyItsOwnSubtree) {
   const Skeleton skeleton = testing::toy_skeleton();
-  const auto before = palm_from_bones(skeleton, JointAngles::Zero());
+  const auto before = hand_from_bones(skeleton, JointAngles::Zero());
   const auto bone_moved_by = [](int angle) -> int {
     if (angle < 2) return kForearm;
     if (angle < 5) return kThumbMetacarpal;
@@ -84,7 +84,7 @@ TEST(Skeleton, EveryAngleMovesOnlyItsOwnSubtree) {
   for (int angle = 0; angle < kAngleCount; ++angle) {
     JointAngles angles = JointAngles::Zero();
     angles[angle] = 0.01;
-    const auto after = palm_from_bones(skeleton, angles);
+    const auto after = hand_from_bones(skeleton, angles);
     for (int bone = 0; bone < kBoneCount; ++bone) {
       bool below = false;
       for (int b = bone; b >= 0; b = bone_parent(b)) below |= b == bone_moved_by(angle);
@@ -98,15 +98,15 @@ TEST(Skeleton, EveryAngleMovesOnlyItsOwnSubtree) {
 TEST(Skeleton, JsonReturnsEveryNumberExactly) {
   Skeleton skeleton = testing::toy_skeleton();
   RandomStream random(1);
-  for (RigidTransform& frame : skeleton.palm_from_bone_at_zero) {
+  for (RigidTransform& frame : skeleton.hand_from_bone_at_zero) {
     frame = {Eigen::Matrix3d::NullaryExpr([&] { return random.normal(); }),
              {random.normal(), 1e-300, 0}};
   }
   const Skeleton back = skeleton_from_json(skeleton_to_json(skeleton), "x");
   for (std::size_t b = 0; b < kBoneCount; ++b) {
-    EXPECT_EQ(back.palm_from_bone_at_zero[b].rotation, skeleton.palm_from_bone_at_zero[b].rotation);
-    EXPECT_EQ(back.palm_from_bone_at_zero[b].translation,
-              skeleton.palm_from_bone_at_zero[b].translation);
+    EXPECT_EQ(back.hand_from_bone_at_zero[b].rotation, skeleton.hand_from_bone_at_zero[b].rotation);
+    EXPECT_EQ(back.hand_from_bone_at_zero[b].translation,
+              skeleton.hand_from_bone_at_zero[b].translation);
   }
   EXPECT_THROW(skeleton_from_json("{}", "x"), Error);
   EXPECT_THROW(skeleton_from_json("[1", "x"), Error);

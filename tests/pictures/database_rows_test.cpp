@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/database_rows.h"
+#include "graspdb/pictures/database_rows.h"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <numeric>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/hog.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/features/hog.h"
 #include "small_database.h"
 
 namespace graspdb {
@@ -44,7 +44,7 @@ std::size_t unlike_pixels(const GrayImage& a, const GrayImage& b) {
 
 TEST(DatabaseRows, APictureShowsWhatTheRowWasDescribedFrom) {
   const Database& database = testing::small_database();
-  const HogOptions hog = hog_from_name(database.info().hog, "the database");
+  const HogMode hog = hog_from_name(database.info().hog, "the database");
   const std::vector<std::size_t> every = all_rows(database);
   const DatabaseRows rows(database, every);
   std::size_t unlike = 0;

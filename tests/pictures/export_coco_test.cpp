@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every rule of the COCO keypoints format, on files as another program reads them.
-#include "graspdb/export_coco.h"
+#include "graspdb/pictures/export_coco.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,10 +10,10 @@
 #include <set>
 
 #include "coco_text.h"
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/hog.h"
-#include "graspdb/image_io.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/features/hog.h"
+#include "graspdb/renderer/image_io.h"
 #include "small_database.h"
 
 namespace graspdb {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/labelled_view.h"
+#include "graspdb/pictures/labelled_view.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "graspdb/named_poses.h"
-#include "graspdb/pose_file.h"
-#include "graspdb/rig.h"
+#include "graspdb/hand/named_poses.h"
+#include "graspdb/hand/rig/rig.h"
+#include "graspdb/hand/turns.h"
+#include "graspdb/pictures/pose_file.h"
 #include "small_database.h"
 
 namespace graspdb {
@@ -27,8 +28,8 @@ Subject bare(const Hand& hand, const JointAngles& angles) {
 
 Camera camera_at(const Subject& subject, double yaw, double pitch = 0) {
   const PosedScene& scene = subject.pose().scene;
-  return crop_camera(rotation_from_turns(radians(yaw), radians(pitch), 0), scene.centre, 0.7,
-                     scene.hand_vertices, 160);
+  return crop_camera(rotation_from_turns({radians(180 + yaw), radians(pitch), 0}), scene.center,
+                     0.7, scene.hand_vertices, 160);
 }
 
 class EveryHand : public ::testing::TestWithParam<std::string> {};

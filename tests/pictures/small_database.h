@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "generator/small_build.h"
-#include "graspdb/database.h"
-#include "graspdb/generator.h"
-#include "graspdb/skeleton.h"
+#include "graspdb/database/database.h"
+#include "graspdb/generator/generator.h"
+#include "graspdb/hand/skeleton.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb::testing {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/write_view.h"
+#include "graspdb/pictures/write_view.h"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
-#include "graspdb/database_rows.h"
-#include "graspdb/file.h"
-#include "graspdb/image_io.h"
+#include "graspdb/core/file.h"
+#include "graspdb/pictures/database_rows.h"
+#include "graspdb/renderer/image_io.h"
 #include "small_database.h"
 
 namespace graspdb {
@@ -15,13 +15,13 @@ namespace {
 
 using nlohmann::json;
 
-TEST(WriteView, DepthIsWholeMillimetresAndNothingIsZero) {
-  Image<float> metres(4, 1);
-  metres.at(0, 0) = 0.7004F;
-  metres.at(1, 0) = 0.7006F;
-  metres.at(2, 0) = std::numeric_limits<float>::infinity();
-  metres.at(3, 0) = 100;
-  const auto mm = depth_in_mm(metres);
+TEST(WriteView, DepthIsWholeMillimetersAndNothingIsZero) {
+  Image<float> meters(4, 1);
+  meters.at(0, 0) = 0.7004F;
+  meters.at(1, 0) = 0.7006F;
+  meters.at(2, 0) = std::numeric_limits<float>::infinity();
+  meters.at(3, 0) = 100;
+  const auto mm = depth_in_mm(meters);
   EXPECT_THAT(std::vector(mm.begin(), mm.end()), ::testing::ElementsAre(700, 701, 0, 65535));
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/image_io.h"
+#include "graspdb/renderer/image_io.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "graspdb/error.h"
-#include "graspdb/file.h"
-#include "graspdb/random.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/random.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -39,7 +39,7 @@ std::vector<Sample> samples_of(const fs::path& path, OIIO::TypeDesc type) {
   return samples;
 }
 
-TEST(ImageIo, GreyPngComesBackPixelByPixel) {
+TEST(ImageIo, GrayPngComesBackPixelByPixel) {
   const TemporaryDirectory folder;
   const GrayImage image = random_image<std::uint8_t>(37, 21, random_byte);
   write_png(folder / "a.png", image);
@@ -48,7 +48,7 @@ TEST(ImageIo, GreyPngComesBackPixelByPixel) {
             (Bgr{image.at(5, 6), image.at(5, 6), image.at(5, 6)}));
 }
 
-TEST(ImageIo, ColourPngComesBackAndIsStoredAsRgb) {
+TEST(ImageIo, ColorPngComesBackAndIsStoredAsRgb) {
   const TemporaryDirectory folder;
   const ColorImage image = random_image<Bgr>(19, 33, [](RandomStream& r) {
     return Bgr{random_byte(r), random_byte(r), random_byte(r)};
@@ -60,7 +60,7 @@ TEST(ImageIo, ColourPngComesBackAndIsStoredAsRgb) {
   EXPECT_EQ(stored[2], image.at(0, 0)[0]);
 }
 
-TEST(ImageIo, ColourReadAsGreyIsItsLuma) {
+TEST(ImageIo, ColorReadAsGrayIsItsLuma) {
   const TemporaryDirectory folder;
   write_png(folder / "a.png", ColorImage(2, 2, Bgr{10, 100, 200}));
   EXPECT_EQ(read_gray(folder / "a.png").at(1, 1), 120);  // 1.14 + 58.7 + 59.8 = 119.64

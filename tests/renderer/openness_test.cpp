@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "graspdb/renderer.h"
+#include "graspdb/renderer/renderer.h"
 #include "renderer/shapes.h"
 
 namespace graspdb {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "graspdb/closing.h"
-#include "graspdb/file.h"
-#include "graspdb/posed_scene.h"
-#include "graspdb/renderer.h"
-#include "graspdb/rig.h"
-#include "graspdb/views.h"
+#include "graspdb/core/file.h"
+#include "graspdb/generator/posed_scene.h"
+#include "graspdb/generator/views.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/hand/rig/rig.h"
+#include "graspdb/renderer/renderer.h"
 #include "renderer/shapes.h"
 #include "support/instruction_sets.h"
 
@@ -75,7 +75,7 @@ TEST(Rasterize, DrawsGraspsAsRaysSeeThem) {
       const GraspPose pose = pose_at_step(grasp, rest, closed_pose(grasp, hand), step, 5);
       const PosedScene posed = pose_scene(hand, pose, grasp.object.get());
       for (const Eigen::Matrix3d& view : views) {
-        const Camera camera = crop_camera(view, posed.centre, 0.7, posed.hand_vertices, 128);
+        const Camera camera = crop_camera(view, posed.center, 0.7, posed.hand_vertices, 128);
         seen.add(render(posed.scene, camera), rasterize(posed.scene, camera));
       }
     }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <thread>
 
-#include "graspdb/renderer.h"
+#include "graspdb/renderer/renderer.h"
 #include "renderer/shapes.h"
 
 namespace graspdb {
@@ -47,11 +47,11 @@ TEST(Render, SphereHasItsDepthNormalsAndSilhouetteArea) {
 
 TEST(Render, DepthIsPlanarAndNotTheDistance) {
   const double radius = 0.01;
-  const Eigen::Vector3d centre(0.2, -0.15, 0.5);
+  const Eigen::Vector3d center(0.2, -0.15, 0.5);
   const Camera camera = straight_camera(640, 480, 500);
-  const View view = render(Scene(sphere(centre, radius), {}, nullptr), camera, {}, kAllLayers);
+  const View view = render(Scene(sphere(center, radius), {}, nullptr), camera, {}, kAllLayers);
   // The nearest point on the ray through the centre, found by hand.
-  const Eigen::Vector3d front = centre - radius * centre.normalized();
+  const Eigen::Vector3d front = center - radius * center.normalized();
   const Eigen::Vector2d pixel = camera.intrinsics.project(front);
   const auto x = static_cast<int>(std::lround(pixel.x()));
   const auto y = static_cast<int>(std::lround(pixel.y()));
@@ -64,8 +64,8 @@ TEST(Render, ASmallSphereIsSeenWhereTheCameraProjectsIt) {
   camera.intrinsics.fy = 280;
   camera.intrinsics.cx = 50.25;
   camera.camera_from_hand = {rotation_from_vector({0.4, -1.1, 0.3}), {0.03, -0.02, 0.6}};
-  const Eigen::Vector3d centre_in_hand(0.02, 0.05, -0.03);
-  const View view = render(Scene(sphere(centre_in_hand, 0.005), {}, nullptr), camera);
+  const Eigen::Vector3d center_in_hand(0.02, 0.05, -0.03);
+  const View view = render(Scene(sphere(center_in_hand, 0.005), {}, nullptr), camera);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (int y = 0; y < 120; ++y) {
     for (int x = 0; x < 160; ++x) {
@@ -74,7 +74,7 @@ TEST(Render, ASmallSphereIsSeenWhereTheCameraProjectsIt) {
   }
   const Eigen::Vector2d mean = sum / static_cast<double>(count_of(view.label, kHandSurface));
   const Eigen::Vector2d expected =
-      camera.intrinsics.project(camera.camera_from_hand * centre_in_hand);
+      camera.intrinsics.project(camera.camera_from_hand * center_in_hand);
   EXPECT_LT((mean - expected).norm(), 0.25);
 }
 
@@ -194,10 +194,10 @@ TEST(VisiblePoints, AJointIsSeenThroughItsOwnSkinOnly) {
 TEST(CropCamera, HoldsAllVerticesTightlyAndLooksFromTheDistance) {
   const Mesh hand = capsule({0.02, 0.05, -0.01}, 0.03, 0.08);
   const Eigen::Matrix3d rotation = rotation_from_vector({0.5, 0.2, -1.0});
-  const Eigen::Vector3d centre(0.0, 0.03, 0.0);
+  const Eigen::Vector3d center(0.0, 0.03, 0.0);
   for (const double margin : {0.0, 0.1}) {
-    const Camera camera = crop_camera(rotation, centre, 0.7, hand.vertices, 128, margin);
-    EXPECT_LT((camera.camera_from_hand * centre - Eigen::Vector3d(0, 0, 0.7)).norm(), 1e-12);
+    const Camera camera = crop_camera(rotation, center, 0.7, hand.vertices, 128, margin);
+    EXPECT_LT((camera.camera_from_hand * center - Eigen::Vector3d(0, 0, 0.7)).norm(), 1e-12);
     Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
     for (const Eigen::Vector3f& v : hand.vertices) {
       const Eigen::Array2d pixel =

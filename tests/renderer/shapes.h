@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graspdb/mesh.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/mesh.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb::testing {
 
 // A capsule along y: a tube of `half_length` to each side of `centre`, closed by half spheres. With
 // half_length 0 it is a sphere. Every vertex lies on the true surface.
-inline Mesh capsule(const Eigen::Vector3d& centre, double radius, double half_length,
+inline Mesh capsule(const Eigen::Vector3d& center, double radius, double half_length,
                     int segments = 96) {
   Mesh mesh;
   const int rings = segments / 2;
@@ -24,7 +24,7 @@ inline Mesh capsule(const Eigen::Vector3d& centre, double radius, double half_le
       const Eigen::Vector3d normal(std::sin(polar) * std::cos(around), std::cos(polar),
                                    std::sin(polar) * std::sin(around));
       const Eigen::Vector3d end(0, 2 * r < rings ? half_length : -half_length, 0);
-      mesh.vertices.push_back((centre + end + radius * normal).cast<float>());
+      mesh.vertices.push_back((center + end + radius * normal).cast<float>());
       mesh.normals.push_back(normal.cast<float>());
     }
   }
@@ -40,8 +40,8 @@ inline Mesh capsule(const Eigen::Vector3d& centre, double radius, double half_le
   return mesh;
 }
 
-inline Mesh sphere(const Eigen::Vector3d& centre, double radius, int segments = 96) {
-  return capsule(centre, radius, 0, segments);
+inline Mesh sphere(const Eigen::Vector3d& center, double radius, int segments = 96) {
+  return capsule(center, radius, 0, segments);
 }
 
 // Both meshes in one.

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb::testing {

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "blender.h"
-#include "graspdb/file.h"
-#include "graspdb/named_poses.h"
-#include "graspdb/rig.h"
-#include "graspdb/text.h"
+#include "graspdb/core/file.h"
+#include "graspdb/core/text.h"
+#include "graspdb/hand/named_poses.h"
+#include "graspdb/hand/rig/rig.h"
 #include "support/compare_hands.h"
 #include "support/temporary_directory.h"
 
@@ -62,8 +62,8 @@ class ExportHand : public ::testing::Test {
 // Within 0.01 mm, at zero, at rest, and of the skin in a fist.
 void expect_same_joints_and_skin(const Hand& hand, const Hand& expected) {
   EXPECT_LT(testing::largest_difference(hand.skeleton, expected.skeleton), 1e-5);
-  EXPECT_LT((keypoints_in_palm(hand.skeleton, hand.palm_from_bone_at_bind) -
-             keypoints_in_palm(expected.skeleton, expected.palm_from_bone_at_bind))
+  EXPECT_LT((keypoints_in_hand(hand.skeleton, hand.hand_from_bone_at_bind) -
+             keypoints_in_hand(expected.skeleton, expected.hand_from_bone_at_bind))
                 .cwiseAbs()
                 .maxCoeff(),
             1e-5);
@@ -79,7 +79,7 @@ TEST_F(ExportHand, KeepsAMapThatAPersonMayHaveFilledIn) {
   EXPECT_THAT(read_text(folder_ / "foreign.draft.rig.toml"), HasSubstr("[bones]"));
 }
 
-TEST_F(ExportHand, LeftHandInCentimetresUnderForeignNamesIsTheSameHand) {
+TEST_F(ExportHand, LeftHandInCentimetersUnderForeignNamesIsTheSameHand) {
   make_scene("left");
   // The same nail in Blender's axes, on a left hand.
   const BlenderOutcome outcome =
@@ -103,8 +103,8 @@ TEST_F(ExportHand, TurnedAndScaledHandWithItsNailSelectedIsTheSameHand) {
   const Hand hand = load_hand(glb());
   EXPECT_LT(testing::largest_difference(hand.skeleton, male_.skeleton), 1e-5);
   EXPECT_LT(testing::largest_difference(hand.bind_mesh, male_.bind_mesh), 1e-5);
-  EXPECT_LT(angle_between(hand.palm_from_bone_at_bind[kThumbDistal].rotation,
-                          male_.palm_from_bone_at_bind[kThumbDistal].rotation),
+  EXPECT_LT(angle_between(hand.hand_from_bone_at_bind[kThumbDistal].rotation,
+                          male_.hand_from_bone_at_bind[kThumbDistal].rotation),
             radians(10));  // a nail is not flat
 }
 

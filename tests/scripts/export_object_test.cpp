@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "blender.h"
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -60,7 +60,7 @@ Eigen::AlignedBox3d box_of_obj(const std::string& text) {
   return box;
 }
 
-TEST_F(ExportObject, ObjIsInMetresWithBlendersAxesAndItsOwnOrigin) {
+TEST_F(ExportObject, ObjIsInMetersWithBlendersAxesAndItsOwnOrigin) {
   const BlenderOutcome outcome = export_object("", "cup.obj");
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   EXPECT_THAT(outcome.output,

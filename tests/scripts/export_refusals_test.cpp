@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "blender.h"
-#include "graspdb/file.h"
+#include "graspdb/core/file.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {

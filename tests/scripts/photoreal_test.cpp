@@ -6,9 +6,9 @@
 #include <cstdlib>
 
 #include "blender.h"
-#include "graspdb/file.h"
-#include "graspdb/image_io.h"
-#include "graspdb/sequence.h"
+#include "graspdb/core/file.h"
+#include "graspdb/renderer/image_io.h"
+#include "graspdb/sequences/sequence.h"
 #include "support/temporary_directory.h"
 #include "support/tripod_sequence.h"
 

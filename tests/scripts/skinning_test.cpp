@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "blender.h"
-#include "graspdb/file.h"
-#include "graspdb/named_poses.h"
-#include "graspdb/rig.h"
+#include "graspdb/core/file.h"
+#include "graspdb/hand/named_poses.h"
+#include "graspdb/hand/rig/rig.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -17,10 +17,10 @@ using nlohmann::json;
 
 // What takes a joint of the file to its place in the pose. The files of our own hands have their
 // joints in the hand frame, under the names of the bones.
-json moved_from_rest(const Hand& hand, const PerBone<RigidTransform>& palm_from_bone) {
+json moved_from_rest(const Hand& hand, const PerBone<RigidTransform>& hand_from_bone) {
   json bones = json::object();
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    const RigidTransform moved = palm_from_bone[bone] * hand.palm_from_bone_at_bind[bone].inverse();
+    const RigidTransform moved = hand_from_bone[bone] * hand.hand_from_bone_at_bind[bone].inverse();
     json& rows = bones[std::string(bone_name(static_cast<int>(bone)))];
     for (int row = 0; row < 3; ++row) {
       const auto r = moved.rotation.row(row);
@@ -31,13 +31,13 @@ json moved_from_rest(const Hand& hand, const PerBone<RigidTransform>& palm_from_
 }
 
 json posed(const Hand& hand, std::string_view name, const JointAngles& angles) {
-  const PerBone<RigidTransform> palm_from_bone = palm_from_bones(hand.skeleton, angles);
+  const PerBone<RigidTransform> hand_from_bone = hand_from_bones(hand.skeleton, angles);
   json vertices = json::array();
-  for (const Eigen::Vector3f& v : pose_skin(hand, palm_from_bone).vertices) {
+  for (const Eigen::Vector3f& v : pose_skin(hand, hand_from_bone).vertices) {
     vertices.push_back({v.x(), v.y(), v.z()});
   }
   return {{"name", name},
-          {"bones", moved_from_rest(hand, palm_from_bone)},
+          {"bones", moved_from_rest(hand, hand_from_bone)},
           {"vertices", std::move(vertices)}};
 }
 
@@ -50,7 +50,7 @@ JointAngles upper_limits() {
 
 class Skinning : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Skinning, AgreesWithBlenderWithinAMicrometre) {
+TEST_P(Skinning, AgreesWithBlenderWithinAMicrometer) {
   if (!testing::has_blender()) GTEST_SKIP() << testing::kNoBlender;
   const std::string file = std::string(GRASPDB_SOURCE_DIR "/assets/hands/") + GetParam() + ".glb";
   const Hand hand = load_hand(file);

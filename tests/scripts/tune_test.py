@@ -49,21 +49,24 @@ class Tune(unittest.TestCase):
         best, _ = tune.descend(self.bowl, {"none": trial})
         self.assertEqual(best, {"none": trial})
 
-    def test_writes_only_what_a_model_reads(self):
-        text = tune.source({"none": start("none"), "gaussian": start("gaussian")})
-        none, gaussian = text.split("kGaussian")
+    def test_what_a_model_does_not_read_is_as_at_the_start(self):
+        text = tune.source({"none": {**start("none"), "sigma_hog": 2.8}, "kde": start("kde")})
+        none, kde = text.split("kKde")
         self.assertIn("case TemporalModel::kNone:", none)
-        self.assertIn(".neighbours = 50", none)
-        self.assertNotIn("sigma_pose", none)
-        self.assertIn(".sigma_pose = 0.35", gaussian)
+        self.assertIn(".sigma_hog = 2.8", none)
+        self.assertIn(f".sigma_pose = {tune.START['sigma_pose']}", none)
+        self.assertIn(".neighbors = 50", kde)
+        self.assertEqual(text.count(".max_distance = 5.0"), 2)
 
     def chosen(self):
         """What tuned_options.cpp holds, as source() was given it."""
         best = {}
         for case in WRITTEN.read_text().split("case TemporalModel::k")[1:]:
             model = case.split(":")[0].lower()
-            best[model] = {name: float(value) if "." in value else int(value)
-                           for name, value in re.findall(r"\.(\w+) = ([\d.]+)", case)}
+            values = dict(re.findall(r"\.(\w+) = ([\d.]+)", case))
+            best[model] = {option: float(value) if "." in value else int(value)
+                           for option in tune.OPTIONS[model]
+                           for value in [values[tune.MEMBER.get(option, option)]]}
         return best
 
     def test_the_file_that_is_there_is_what_it_would_write(self):
@@ -83,7 +86,7 @@ class Tune(unittest.TestCase):
             self.assertEqual(text, formatted)
 
     def test_every_model_of_the_tracker_is_chosen_for(self):
-        header = Path(__file__).resolve().parents[2] / "tracker/include/graspdb/tracker.h"
+        header = Path(__file__).resolve().parents[2] / "tracker/include/graspdb/tracker/tracker.h"
         names = header.read_text().split("kTemporalModels = {")[1].split("}")[0]
         self.assertEqual(names.count("TemporalModel::"), len(tune.OPTIONS))
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "graspdb/descriptor.h"
-#include "graspdb/random.h"
+#include "graspdb/core/descriptor.h"
+#include "graspdb/core/random.h"
 
 namespace graspdb::testing {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "graspdb/mesh.h"
+#include "graspdb/core/mesh.h"
 
 namespace graspdb::testing {
 

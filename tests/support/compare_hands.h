@@ -5,14 +5,14 @@
 
 #include <algorithm>
 
-#include "graspdb/hand.h"
+#include "graspdb/hand/hand.h"
 
 namespace graspdb::testing {
 
 inline double largest_difference(const Skeleton& a, const Skeleton& b) {
   double largest = 0;
   for (std::size_t i = 0; i < kBoneCount; ++i) {
-    const RigidTransform &p = a.palm_from_bone_at_zero[i], &q = b.palm_from_bone_at_zero[i];
+    const RigidTransform &p = a.hand_from_bone_at_zero[i], &q = b.hand_from_bone_at_zero[i];
     largest = std::max({largest, (p.rotation - q.rotation).cwiseAbs().maxCoeff(),
                         (p.translation - q.translation).cwiseAbs().maxCoeff()});
   }
@@ -43,7 +43,7 @@ inline void expect_same_hand(const Hand& a, const Hand& b) {
   EXPECT_LT(largest_difference(a.bind_mesh, b.bind_mesh), 1e-6);
   EXPECT_TRUE(a.bind_mesh.triangles == b.bind_mesh.triangles);
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    const RigidTransform &p = a.palm_from_bone_at_bind[bone], &q = b.palm_from_bone_at_bind[bone];
+    const RigidTransform &p = a.hand_from_bone_at_bind[bone], &q = b.hand_from_bone_at_bind[bone];
     EXPECT_LT(angle_between(p.rotation, q.rotation), 1e-5) << bone_name(static_cast<int>(bone));
     EXPECT_LT((p.translation - q.translation).norm(), 1e-6) << bone_name(static_cast<int>(bone));
   }

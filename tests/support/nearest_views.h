@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "graspdb/random.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/random.h"
+#include "graspdb/core/transform.h"
 
 namespace graspdb::testing {
 

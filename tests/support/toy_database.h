@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "graspdb/database.h"
-#include "graspdb/random.h"
+#include "graspdb/core/random.h"
+#include "graspdb/database/database.h"
 
 namespace graspdb::testing {
 
@@ -13,7 +13,7 @@ namespace graspdb::testing {
 inline Skeleton stacked_skeleton() {
   Skeleton skeleton;
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    skeleton.palm_from_bone_at_zero[bone].translation.y() = static_cast<double>(bone) / 64;
+    skeleton.hand_from_bone_at_zero[bone].translation.y() = static_cast<double>(bone) / 64;
   }
   skeleton.tip_in_distal.fill({0, 1.0 / 64, 0});
   return skeleton;

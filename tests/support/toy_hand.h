@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "graspdb/hand.h"
+#include "graspdb/hand/hand.h"
 #include "support/toy_skeleton.h"
 
 namespace graspdb::testing {
@@ -13,8 +13,8 @@ namespace graspdb::testing {
 // Adds a closed capsule along y of a bone's frame, moved by that bone alone.
 inline void add_capsule(Hand& hand, int bone, double length, double radius) {
   constexpr int kAround = 8, kRings = 9;
-  const RigidTransform& palm_from_bone =
-      hand.palm_from_bone_at_bind[static_cast<std::size_t>(bone)];
+  const RigidTransform& hand_from_bone =
+      hand.hand_from_bone_at_bind[static_cast<std::size_t>(bone)];
   Mesh& mesh = hand.bind_mesh;
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (int ring = 0; ring <= kRings; ++ring) {
@@ -27,8 +27,8 @@ inline void add_capsule(Hand& hand, int bone, double length, double radius) {
       const Eigen::Vector3d normal(std::sin(polar) * std::cos(turn), -std::cos(polar),
                                    -std::sin(polar) * std::sin(turn));
       const Eigen::Vector3d point = radius * normal + Eigen::Vector3d(0, shift, 0);
-      mesh.vertices.push_back((palm_from_bone * point).cast<float>());
-      mesh.normals.push_back((palm_from_bone.rotation * normal).cast<float>());
+      mesh.vertices.push_back((hand_from_bone * point).cast<float>());
+      mesh.normals.push_back((hand_from_bone.rotation * normal).cast<float>());
       SkinWeights weights;
       weights.bone[0] = static_cast<std::uint8_t>(bone);
       weights.weight[0] = 1;
@@ -49,7 +49,7 @@ inline Hand toy_hand() {
   Hand hand;
   hand.name = "toy";
   hand.skeleton = toy_skeleton();
-  hand.palm_from_bone_at_bind = palm_from_bones(hand.skeleton, JointAngles::Zero());
+  hand.hand_from_bone_at_bind = hand_from_bones(hand.skeleton, JointAngles::Zero());
   add_capsule(hand, kThumbMetacarpal, 0.045, 0.012);
   add_capsule(hand, kThumbProximal, 0.035, 0.010);
   add_capsule(hand, kThumbDistal, 0.021, 0.009);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "graspdb/skeleton.h"
+#include "graspdb/hand/skeleton.h"
 
 namespace graspdb::testing {
 
 // A hand of round numbers: fingers 20 mm apart, metacarpals to 90 mm, phalanges 40, 25 and 20 mm.
 inline Skeleton toy_skeleton() {
   Skeleton skeleton;
-  auto& zero = skeleton.palm_from_bone_at_zero;
+  auto& zero = skeleton.hand_from_bone_at_zero;
   for (int f = 0; f < kFingerCount; ++f) {
     const double x = -0.03 + 0.02 * f;
     const double starts[] = {0.025, 0.090, 0.130, 0.155};

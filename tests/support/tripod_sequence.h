@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "graspdb/sequence.h"
+#include "graspdb/sequences/sequence.h"
 
 namespace graspdb::testing {
 

@@ -22,13 +22,13 @@ Box box_around(double u, double v, double half) {
 
 TEST(Placement, ABoxAsLargeAsTheRowsIsAsFarAway) {
   const Placement placed = place(box_around(319.5, 239.5, 50), kCamera, kRowBox, 0.7);
-  EXPECT_NEAR(placed.palm_centre.z(), 0.7, 1e-6);
-  EXPECT_NEAR(placed.palm_centre.head<2>().norm(), 0, 1e-6);
+  EXPECT_NEAR(placed.palm_center.z(), 0.7, 1e-6);
+  EXPECT_NEAR(placed.palm_center.head<2>().norm(), 0, 1e-6);
   EXPECT_LT(angle_between(placed.camera_from_row_camera, Eigen::Matrix3d::Identity()), 1e-6);
 }
 
 TEST(Placement, AHalfAsLargeBoxIsTwiceAsFarAway) {
-  EXPECT_NEAR(place(box_around(319.5, 239.5, 25), kCamera, kRowBox, 0.7).palm_centre.z(), 1.4,
+  EXPECT_NEAR(place(box_around(319.5, 239.5, 25), kCamera, kRowBox, 0.7).palm_center.z(), 1.4,
               1e-6);
 }
 
@@ -38,21 +38,21 @@ TEST(Placement, ABoxOffTheAxisTurnsTheRowByTheAngleOfItsRay) {
               degrees(std::atan(254.0 / 500)), 0.01);
   // The row's optical axis now points at the palm.
   const Eigen::Vector3d axis = placed.camera_from_row_camera.col(2);
-  EXPECT_LT((axis - placed.palm_centre.normalized()).norm(), 1e-9);
-  EXPECT_GT(placed.palm_centre.x(), 0);
+  EXPECT_LT((axis - placed.palm_center.normalized()).norm(), 1e-9);
+  EXPECT_GT(placed.palm_center.x(), 0);
 }
 
 // A ball of 70 mm 0.7 m away: in the row it fills 0.1 x 0.1; off the axis the flat picture enlarges
 // it.
 TEST(Placement, ABallOffTheAxisIsAsFarAwayAsItIs) {
   const BoxTangents ball{.x = -0.05F, .y = -0.05F, .width = 0.1F, .height = 0.1F};
-  const Eigen::Vector3d centre = Eigen::Vector3d(0.45, 0.2, 1).normalized() * 0.7;
+  const Eigen::Vector3d center = Eigen::Vector3d(0.45, 0.2, 1).normalized() * 0.7;
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
   for (int i = 0; i < 20000; ++i) {  // points of the sphere's surface
     const double z = -1 + 2 * (i + 0.5) / 20000, turn = 2.399963 * i;
     const double r = std::sqrt(1 - z * z);
     const Eigen::Vector2d p = kCamera.project(
-        centre + 0.035 * Eigen::Vector3d(r * std::cos(turn), r * std::sin(turn), z));
+        center + 0.035 * Eigen::Vector3d(r * std::cos(turn), r * std::sin(turn), z));
     left = std::min(left, p.x());
     right = std::max(right, p.x());
     top = std::min(top, p.y());
@@ -62,15 +62,15 @@ TEST(Placement, ABallOffTheAxisIsAsFarAwayAsItIs) {
                 static_cast<int>(std::lround(right - left)),
                 static_cast<int>(std::lround(bottom - top))};
   const Placement placed = place(box, kCamera, ball, 0.7);
-  EXPECT_NEAR(placed.palm_centre.norm(), 0.7, 0.02);
-  EXPECT_LT((placed.palm_centre - centre).norm(), 0.03);
+  EXPECT_NEAR(placed.palm_center.norm(), 0.7, 0.02);
+  EXPECT_LT((placed.palm_center - center).norm(), 0.03);
 }
 
-TEST(Placement, ThePalmLiesBesideTheBoxCentreAsItDoesInTheRow) {
+TEST(Placement, ThePalmLiesBesideTheBoxCenterAsItDoesInTheRow) {
   // In the row the box reaches from the palm centre to its right only.
   const BoxTangents right{.x = 0, .y = -0.1F, .width = 0.2F, .height = 0.2F};
   const Placement placed = place(box_around(319.5, 239.5, 50), kCamera, right, 0.7);
-  EXPECT_NEAR(placed.palm_centre.x() / placed.palm_centre.z(), -0.1, 1e-6);
+  EXPECT_NEAR(placed.palm_center.x() / placed.palm_center.z(), -0.1, 1e-6);
 }
 
 }  // namespace

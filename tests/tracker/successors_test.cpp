@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <set>
 
-#include "graspdb/error.h"
-#include "graspdb/pose_vector.h"
-#include "graspdb/transform.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
+#include "graspdb/tracker/pose_vector.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"
 
@@ -40,9 +40,9 @@ Database grid(const testing::TemporaryDirectory& directory, std::size_t rows) {
 std::set<std::uint32_t> nearest_views(const Database& database, std::uint32_t view) {
   std::vector<std::pair<double, std::uint32_t>> all;
   for (std::uint32_t other = 0; other < kViews; ++other)
-    all.emplace_back(
-        angle_between(label_rotation(database.label(view)), label_rotation(database.label(other))),
-        other);
+    all.emplace_back(angle_between(unpack_label(database.label(view)).rotation,
+                                   unpack_label(database.label(other)).rotation),
+                     other);
   std::sort(all.begin(), all.end());
   std::set<std::uint32_t> nearest;
   for (std::size_t i = 0; i < 16; ++i) nearest.insert(all[i].second);

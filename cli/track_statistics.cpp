@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "track_statistics.h"
+
+#include <fmt/format.h>
+
+#include "graspdb/evaluation/metrics.h"
+
+namespace graspdb::cli {
+namespace {
+
+void print_stage(const char* name, const std::vector<double>& ms) {
+  const Spread s = spread(ms);
+  fmt::print("  {:9} median {:7.3f} ms   p90 {:7.3f} ms\n", name, s.median, s.p90);
+}
+
+}  // namespace
+
+void TrackStatistics::add(const Estimate& estimate) {
+  ++frames;
+  valid += estimate.valid ? 1 : 0;
+  segment.push_back(estimate.ms.segment);
+  describe.push_back(estimate.ms.describe);
+  search.push_back(estimate.ms.search);
+  temporal.push_back(estimate.ms.temporal);
+  total.push_back(estimate.ms.total);
+}
+
+void print(const TrackStatistics& statistics) {
+  fmt::print("{} frames, {} with a hand; time a frame:\n", statistics.frames, statistics.valid);
+  print_stage("segment", statistics.segment);
+  print_stage("describe", statistics.describe);
+  print_stage("search", statistics.search);
+  print_stage("temporal", statistics.temporal);
+  print_stage("total", statistics.total);
+}
+
+}  // namespace graspdb::cli

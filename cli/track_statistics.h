@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "graspdb/tracker/tracker.h"
+
+namespace graspdb::cli {
+
+// What `track` tells at its end.
+struct TrackStatistics {
+  std::size_t frames = 0, valid = 0;
+  std::vector<double> segment, describe, search, temporal, total;  // ms per frame
+
+  void add(const Estimate& estimate);
+};
+void print(const TrackStatistics& statistics);
+
+}  // namespace graspdb::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "graspdb/core/error.h"
+#include "graspdb/database/search.h"
+
+namespace graspdb {
+
+const std::vector<std::string>& search_names() {
+  static const std::vector<std::string> names = {"exact", "scan", "lsh"};
+  return names;
+}
+
+std::unique_ptr<Search> open_search(const Database& database, const std::string& name) {
+  if (name == "exact") return make_exact_search(database);
+  if (name == "scan") return make_scan_search(database);
+  if (name == "lsh") return make_lsh_search(database);
+  throw Error({.key = "search",
+               .expected = fmt::format("{}", fmt::join(search_names(), ", ")),
+               .found = name});
+}
+
+}  // namespace graspdb

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The exact distance to a closed triangle mesh.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "graspdb/core/mesh.h"
+
+namespace graspdb {
+
+// Signed by the angle-weighted normal of the nearest face, edge or corner (Baerentzen, Aanaes
+// 2005), which is right everywhere for a surface that does not cut itself. Immutable, thread-safe.
+class MeshDistance {
+ public:
+  // The mesh must be closed by index and not empty; its normals are not used.
+  explicit MeshDistance(const Mesh& mesh);
+
+  struct Nearest {
+    double distance = 0;  // metres, negative inside
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  };
+  // The surface is known to be at most `bound` away; a good bound saves most of the time.
+  Nearest nearest(const Eigen::Vector3d& point,
+                  double bound = std::numeric_limits<double>::infinity()) const;
+
+ private:
+  using Corners = std::array<Eigen::Vector3d, 3>;
+  struct Normals {
+    Eigen::Vector3d face;
+    std::array<Eigen::Vector3d, 3> edges;  // from corner i to the next one
+    std::array<Eigen::Vector3d, 3> corners;
+  };
+  enum Feature { kCornerA, kCornerB, kCornerC, kEdgeAb, kEdgeBc, kEdgeCa, kInside };
+  struct OnTriangle {
+    Eigen::Vector3d point;
+    Feature feature;
+  };
+  // An inner node has its two halves at `first` and `first + 1`, a leaf (`count` > 0) its
+  // triangles.
+  struct Node {
+    Eigen::AlignedBox3d box;
+    std::uint32_t first = 0, count = 0;
+  };
+
+  std::vector<Normals> normals_of(const Mesh& mesh) const;
+  void split(std::uint32_t node, std::uint32_t begin, std::span<std::uint32_t> part);
+  static OnTriangle nearest_on(const Corners& corners, const Eigen::Vector3d& point);
+  const Eigen::Vector3d& normal(std::uint32_t triangle, Feature feature) const;
+
+  std::vector<Corners> triangles_;
+  std::vector<Normals> normals_;  // apart: a search looks at many corners and one normal
+  std::vector<Node> nodes_;
+};
+
+}  // namespace graspdb

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Solids that are meshes.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "graspdb/geometry/solid.h"
+
+namespace graspdb {
+
+// Reads any file that assimp reads, moves the middle of its box to the origin and requires a
+// surface that is closed, faces outwards and does not cut itself. Throws Error, which says by how
+// much it is not.
+std::shared_ptr<const Solid> load_mesh_solid(const std::filesystem::path& file,
+                                             double meters_per_unit);
+
+// `mesh` is what is drawn, as Solid::mesh() says; `file` stands for it in messages.
+std::shared_ptr<const Solid> make_mesh_solid(Mesh mesh, const std::filesystem::path& file);
+
+}  // namespace graspdb

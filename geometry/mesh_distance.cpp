@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/geometry/mesh_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "graspdb/core/error.h"
+
+namespace graspdb {
+namespace {
+
+constexpr std::uint32_t kLeafSize = 4;
+constexpr int kStackSize = 64;  // every split halves: enough for 2^60 triangles
+
+double angle_at(const Eigen::Vector3d& apex, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2((a - apex).cross(b - apex).norm(), (a - apex).dot(b - apex));
+}
+
+double distance2(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& point) {
+  return (box.min() - point).cwiseMax(point - box.max()).cwiseMax(0).squaredNorm();
+}
+
+template <typename T>
+std::vector<T> in_order(const std::vector<T>& all, const std::vector<std::uint32_t>& order) {
+  std::vector<T> sorted;
+  sorted.reserve(order.size());
+  for (const std::uint32_t i : order) sorted.push_back(all[i]);
+  return sorted;
+}
+
+}  // namespace
+
+MeshDistance::MeshDistance(const Mesh& mesh) {
+  GRASPDB_CHECK(!mesh.triangles.empty());
+  for (const Triangle& t : mesh.triangles) {
+    Corners& corners = triangles_.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.vertices[t[i]].cast<double>();
+  }
+  std::vector<std::uint32_t> order(triangles_.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  nodes_.emplace_back();
+  split(0, 0, order);
+  normals_ = in_order(normals_of(mesh), order);
+  triangles_ = in_order(triangles_, order);
+}
+
+// Only the direction of these normals matters, so sums stand for means.
+std::vector<MeshDistance::Normals> MeshDistance::normals_of(const Mesh& mesh) const {
+  std::vector<Normals> normals(triangles_.size());
+  std::vector<Eigen::Vector3d> of_vertex(mesh.vertices.size(), Eigen::Vector3d::Zero());
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Vector3d> of_edge;
+  for (std::size_t f = 0; f < triangles_.size(); ++f) {
+    const Triangle& t = mesh.triangles[f];
+    const Corners& c = triangles_[f];
+    normals[f].face = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
+    for (std::size_t i = 0; i < 3; ++i) {
+      of_vertex[t[i]] += angle_at(c[i], c[(i + 1) % 3], c[(i + 2) % 3]) * normals[f].face;
+      of_edge.try_emplace(std::minmax(t[i], t[(i + 1) % 3]), Eigen::Vector3d::Zero())
+          .first->second += normals[f].face;
+    }
+  }
+  for (std::size_t f = 0; f < triangles_.size(); ++f) {
+    const Triangle& t = mesh.triangles[f];
+    for (std::size_t i = 0; i < 3; ++i) {
+      normals[f].corners[i] = of_vertex[t[i]];
+      normals[f].edges[i] = of_edge.at(std::minmax(t[i], t[(i + 1) % 3]));
+    }
+  }
+  return normals;
+}
+
+// `part` is of the triangles' order, from `begin` on.
+void MeshDistance::split(std::uint32_t node, std::uint32_t begin, std::span<std::uint32_t> part) {
+  Eigen::AlignedBox3d box, middles;
+  const auto middle = [this](std::uint32_t t) {
+    const Corners& c = triangles_[t];
+    return Eigen::Vector3d(c[0] + c[1] + c[2]);
+  };
+  for (const std::uint32_t t : part) {
+    for (const Eigen::Vector3d& corner : triangles_[t]) box.extend(corner);
+    middles.extend(middle(t));
+  }
+  nodes_[node].box = box;
+  if (part.size() <= kLeafSize) {
+    nodes_[node].first = begin;
+    nodes_[node].count = static_cast<std::uint32_t>(part.size());
+    return;
+  }
+  Eigen::Index axis = 0;
+  middles.sizes().maxCoeff(&axis);
+  const auto half = static_cast<std::uint32_t>(part.size() / 2);
+  std::nth_element(part.begin(), part.begin() + half, part.end(),
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     return std::pair(middle(a)[axis], a) < std::pair(middle(b)[axis], b);
+                   });
+  const auto first = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[node].first = first;
+  nodes_.resize(nodes_.size() + 2);
+  split(first, begin, part.first(half));
+  split(first + 1, begin + half, part.subspan(half));
+}
+
+// Ericson, Real-Time Collision Detection, 5.1.5.
+MeshDistance::OnTriangle MeshDistance::nearest_on(const Corners& corners,
+                                                  const Eigen::Vector3d& p) {
+  const auto& [a, b, c] = corners;
+  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return {a, kCornerA};
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return {b, kCornerB};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {a + d1 / (d1 - d3) * ab, kEdgeAb};
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return {c, kCornerC};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {a + d2 / (d2 - d6) * ac, kEdgeCa};
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 >= d3 && d5 >= d6) {
+    return {b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b), kEdgeBc};
+  }
+  return {a + (vb * ab + vc * ac) / (va + vb + vc), kInside};
+}
+
+const Eigen::Vector3d& MeshDistance::normal(std::uint32_t triangle, Feature feature) const {
+  const Normals& normals = normals_[triangle];
+  if (feature == kInside) return normals.face;
+  const auto index = static_cast<std::size_t>(feature);
+  return index < 3 ? normals.corners[index] : normals.edges[index - 3];
+}
+
+MeshDistance::Nearest MeshDistance::nearest(const Eigen::Vector3d& point, double bound) const {
+  constexpr double kSlack = 1e-9;  // a bound that is met exactly must still find its triangle
+  double nearest2 = (bound + kSlack) * (bound + kSlack);
+  OnTriangle nearest{point, kInside};
+  std::uint32_t triangle = 0;
+  std::array<std::pair<double, std::uint32_t>, kStackSize> open;  // squared distance, node
+  std::size_t count = 0;
+  open[count++] = {distance2(nodes_[0].box, point), 0};
+  while (count > 0) {
+    const auto [away2, index] = open[--count];
+    if (away2 >= nearest2) continue;
+    const Node& node = nodes_[index];
+    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
+      const OnTriangle found = nearest_on(triangles_[t], point);
+      const double found2 = (point - found.point).squaredNorm();
+      if (found2 < nearest2) nearest2 = found2, nearest = found, triangle = t;
+    }
+    if (node.count > 0) continue;
+    const double a = distance2(nodes_[node.first].box, point);
+    const double b = distance2(nodes_[node.first + 1].box, point);
+    // The nearer half is taken first.
+    open[count++] = a < b ? std::pair(b, node.first + 1) : std::pair(a, node.first);
+    open[count++] = a < b ? std::pair(a, node.first) : std::pair(b, node.first + 1);
+  }
+  const double side = normal(triangle, nearest.feature).dot(point - nearest.point);
+  return {std::copysign(std::sqrt(nearest2), side), nearest.point};
+}
+
+}  // namespace graspdb

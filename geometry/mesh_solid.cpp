@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/geometry/mesh_solid.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <tuple>
+
+#include "graspdb/core/error.h"
+#include "graspdb/geometry/distance_grid.h"
+#include "graspdb/geometry/inside.h"
+#include "graspdb/geometry/mesh_distance.h"
+
+namespace graspdb {
+namespace {
+
+constexpr double kSmallest = 1e-3, kLargest = 1;  // metres, of the longest side of its box
+constexpr double kFineCell = 1e-3, kFineMargin = 6e-3, kFineReach = 5e-3;
+constexpr double kCoarseCell = 4e-3, kCoarseMargin = 50e-3;
+
+// The surface alone: vertices with one place are one, triangles without an area are gone.
+Mesh welded(const Mesh& mesh) {
+  using Point = std::tuple<float, float, float>;
+  Mesh result;
+  std::map<Point, std::uint32_t> known;
+  std::vector<std::uint32_t> index;
+  for (const Eigen::Vector3f& v : mesh.vertices) {
+    const auto next = static_cast<std::uint32_t>(result.vertices.size());
+    const auto [place, is_new] = known.try_emplace(Point(v.x(), v.y(), v.z()), next);
+    if (is_new) result.vertices.push_back(v);
+    index.push_back(place->second);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    const Triangle w = {index[t[0]], index[t[1]], index[t[2]]};
+    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) result.triangles.push_back(w);
+  }
+  return result;
+}
+
+Eigen::AlignedBox3d bounds(const Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
+  return box;
+}
+
+double volume(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Eigen::Matrix3d corners =
+        (Eigen::Matrix3f() << mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]])
+            .finished()
+            .cast<double>();
+    sum += corners.determinant() / 6;
+  }
+  return sum;
+}
+
+struct EdgeFaults {
+  int open = 0;     // of one triangle only
+  int twisted = 0;  // of more than two, or of two that do not face the same side
+};
+
+EdgeFaults edge_faults(const Mesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> uses;  // up and down
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      auto& [up, down] = uses[std::minmax(a, b)];
+      ++(a < b ? up : down);
+    }
+  }
+  EdgeFaults faults;
+  for (const auto& [edge, use] : uses) {
+    if (use.first + use.second == 1) ++faults.open;
+    if (use.first > 1 || use.second > 1) ++faults.twisted;
+  }
+  return faults;
+}
+
+// Triangles whose outer side is inside the solid, as those of two pieces that cut each other.
+int buried_triangles(const Mesh& mesh) {
+  constexpr double kAside = 1e-5;        // metres
+  constexpr double kSmallHeight = 1e-4;  // too thin a triangle has no sure outer side
+  const InsideTest inside(mesh);
+  int buried = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices[t[0]].cast<double>();
+    const Eigen::Vector3d ab = mesh.vertices[t[1]].cast<double>() - a;
+    const Eigen::Vector3d ac = mesh.vertices[t[2]].cast<double>() - a;
+    const Eigen::Vector3d area = ab.cross(ac);
+    const double longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
+    if (area.norm() < longest * kSmallHeight) continue;
+    const Eigen::Vector3d outside = a + (ab + ac) / 3 + kAside * area.normalized();
+    if (inside.depth_along_z(outside) > 0) ++buried;
+  }
+  return buried;
+}
+
+void require_solid(const Mesh& surface, const std::filesystem::path& file) {
+  const auto fail = [&](const char* expected, const std::string& found) {
+    throw Error({.file = file.string(), .expected = expected, .found = found});
+  };
+  if (surface.triangles.empty()) fail("a surface of triangles", "none");
+  const double size = bounds(surface).sizes().maxCoeff();
+  if (!(size >= kSmallest && size <= kLargest)) {
+    fail("an object of 1 to 1000 mm (is its unit right?)", fmt::format("{:.4g} mm", size * 1000));
+  }
+  const EdgeFaults faults = edge_faults(surface);
+  if (faults.open > 0) fail("a watertight surface", fmt::format("{} open edges", faults.open));
+  if (faults.twisted > 0) {
+    fail("a surface whose triangles all face outwards",
+         fmt::format("{} edges where they disagree", faults.twisted));
+  }
+  if (volume(surface) <= 0) fail("triangles that face outwards", "a surface turned inside out");
+  if (const int buried = buried_triangles(surface); buried > 0) {
+    fail("a surface that does not cut itself", fmt::format("{} triangles inside it", buried));
+  }
+}
+
+class MeshSolid final : public Solid {
+ public:
+  MeshSolid(Mesh drawn, const Mesh& surface)
+      : mesh_(std::move(drawn)), half_(bounds(surface).sizes() / 2), exact_(surface) {}
+
+  double distance(const Eigen::Vector3d& point) const override {
+    std::call_once(sampled_, [this] { sample(); });
+    if (fine_->contains(point)) {
+      const DistanceGrid::Reading read = fine_->at(point);
+      if (!read.is_rough) return read.distance;
+      return exact_.nearest(point, std::abs(read.distance) + 2 * kFineCell).distance;
+    }
+    if (coarse_->contains(point)) return coarse_->at(point).distance;
+    return exact_.nearest(point).distance;
+  }
+  Eigen::Vector3d half_extents() const override { return half_; }
+  const Mesh& mesh() const override { return mesh_; }
+
+ private:
+  // Takes part of a second, and who only draws needs none of it.
+  void sample() const {
+    const auto around = [this](double margin) {
+      const Eigen::Vector3d high = half_.array() + margin;
+      return Eigen::AlignedBox3d(-high, high);
+    };
+    coarse_.emplace(exact_, around(kCoarseMargin), kCoarseCell);
+    fine_.emplace(exact_, around(kFineMargin), kFineCell, &*coarse_, kFineReach);
+  }
+
+  Mesh mesh_;
+  Eigen::Vector3d half_;
+  MeshDistance exact_;
+  mutable std::once_flag sampled_;
+  mutable std::optional<DistanceGrid> fine_, coarse_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Solid> make_mesh_solid(Mesh mesh, const std::filesystem::path& file) {
+  const Eigen::Vector3f middle = bounds(mesh).center().cast<float>();
+  for (Eigen::Vector3f& v : mesh.vertices) v -= middle;
+  const Mesh surface = welded(mesh);
+  require_solid(surface, file);
+  return std::make_shared<MeshSolid>(std::move(mesh), surface);
+}
+
+}  // namespace graspdb

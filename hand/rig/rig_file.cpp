@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "rig_file.h"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <assimp/Importer.hpp>
+
+#include "graspdb/core/error.h"
+
+namespace graspdb {
+namespace {
+
+constexpr double kSmallestWeight = 1e-6;  // importers give idle joints a weight of 0
+
+Eigen::Matrix4d to_matrix(const aiMatrix4x4& m) {
+  return Eigen::Map<const Eigen::Matrix<ai_real, 4, 4, Eigen::RowMajor>>(&m.a1).cast<double>();
+}
+
+Eigen::Vector3d to_vector(const aiVector3D& v) {
+  return {v.x, v.y, v.z};
+}
+
+float gray(const aiColor4D& color) {
+  return (color.r + color.g + color.b) / 3;
+}
+
+// One vertex of the file at rest.
+struct Corner {
+  Eigen::Vector3f position, normal;
+  float albedo;
+  std::vector<BoneShare> shares;
+};
+
+class SceneReader {
+ public:
+  SceneReader(const std::filesystem::path& path, const aiScene& scene) : scene_(scene) {
+    file_.path = path.string();
+  }
+
+  RigFile read() {
+    collect_poses(*scene_.mRootNode, Eigen::Matrix4d::Identity());
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) add_mesh(*scene_.mMeshes[i]);
+    if (file_.mesh.triangles.empty()) throw Error({file_.path, "", "a skinned mesh", "none"});
+    for (Eigen::Vector3f& normal : file_.mesh.normals) normal.normalize();
+    return std::move(file_);
+  }
+
+ private:
+  void collect_poses(const aiNode& node, const Eigen::Matrix4d& file_from_parent) {
+    const Eigen::Matrix4d file_from_node = file_from_parent * to_matrix(node.mTransformation);
+    if (poses_.emplace(node.mName.C_Str(), file_from_node).second) {
+      file_.joints.emplace(node.mName.C_Str(), file_from_node.topRightCorner<3, 1>());
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      collect_poses(*node.mChildren[i], file_from_node);
+    }
+  }
+
+  void add_mesh(const aiMesh& mesh) {
+    if (mesh.mNumBones == 0 || !mesh.HasNormals()) return;  // points and lines have none
+    std::vector<std::uint32_t> merged;
+    for (Corner& corner : read_corners(mesh)) merged.push_back(add_corner(std::move(corner)));
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices != 3) continue;  // points and lines
+      const Triangle t = {merged[face.mIndices[0]], merged[face.mIndices[1]],
+                          merged[face.mIndices[2]]};
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) file_.mesh.triangles.push_back(t);
+    }
+  }
+
+  std::vector<Corner> read_corners(const aiMesh& mesh) {
+    std::vector<Corner> corners(mesh.mNumVertices);
+    std::vector<Eigen::Matrix<double, 3, 4>> blends(mesh.mNumVertices,
+                                                    Eigen::Matrix<double, 3, 4>::Zero());
+    for (unsigned b = 0; b < mesh.mNumBones; ++b) add_bone(*mesh.mBones[b], corners, blends);
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      normalize(v, corners[v].shares, blends[v]);
+      corners[v].position = (blends[v] * to_vector(mesh.mVertices[v]).homogeneous()).cast<float>();
+      if (!corners[v].position.allFinite()) fail(v, "a place", "no number");
+      corners[v].normal = (blends[v].leftCols<3>() * to_vector(mesh.mNormals[v])).cast<float>();
+      if (!corners[v].normal.allFinite()) fail(v, "a normal", "no number");
+      corners[v].albedo = mesh.HasVertexColors(0) ? gray(mesh.mColors[0][v]) : 1;
+    }
+    return corners;
+  }
+
+  // `blends` takes each vertex from the mesh to the rest pose.
+  void add_bone(const aiBone& bone, std::vector<Corner>& corners,
+                std::vector<Eigen::Matrix<double, 3, 4>>& blends) {
+    const Eigen::Matrix<double, 3, 4> rest_from_mesh =
+        (pose_of(bone.mName.C_Str()) * to_matrix(bone.mOffsetMatrix)).topRows<3>();
+    const std::size_t index = bone_index(bone.mName.C_Str());
+    for (unsigned i = 0; i < bone.mNumWeights; ++i) {
+      const auto& [v, weight] = bone.mWeights[i];
+      if (!(weight > kSmallestWeight)) continue;
+      corners.at(v).shares.push_back({index, weight});
+      blends[v] += weight * rest_from_mesh;
+    }
+  }
+
+  const Eigen::Matrix4d& pose_of(const std::string& bone) const {
+    const auto pose = poses_.find(bone);
+    if (pose == poses_.end()) throw Error({file_.path, bone, "a node that moves its skin", "none"});
+    return pose->second;
+  }
+
+  std::size_t bone_index(const std::string& name) {
+    const auto found = std::find(file_.bones.begin(), file_.bones.end(), name);
+    const auto index = static_cast<std::size_t>(found - file_.bones.begin());
+    if (found == file_.bones.end()) file_.bones.push_back(name);
+    return index;
+  }
+
+  void normalize(unsigned v, std::vector<BoneShare>& shares,
+                 Eigen::Matrix<double, 3, 4>& blend) const {
+    double sum = 0;
+    for (const BoneShare& share : shares) sum += share.weight;
+    if (!(sum > 0)) fail(v, "a bone that moves it", "none");
+    for (BoneShare& share : shares) share.weight /= sum;
+    blend /= sum;
+  }
+
+  [[noreturn]] void fail(unsigned v, const std::string& expected, const std::string& found) const {
+    throw Error({file_.path, fmt::format("vertex {}", v), expected, found});
+  }
+
+  // A file repeats a vertex for every texture coordinate or normal it has there; a closed surface
+  // has it once. What moves differently, like two fingers that touch, stays two.
+  std::uint32_t add_corner(Corner corner) {
+    Mesh& mesh = file_.mesh;
+    std::vector<std::uint32_t>& here =
+        at_position_[{corner.position.x(), corner.position.y(), corner.position.z()}];
+    for (const std::uint32_t v : here) {
+      if (file_.shares[v] != corner.shares) continue;
+      mesh.normals[v] += corner.normal;
+      return v;
+    }
+    here.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+    mesh.vertices.push_back(corner.position);
+    mesh.normals.push_back(corner.normal);
+    mesh.albedo.push_back(corner.albedo);
+    file_.shares.push_back(std::move(corner.shares));
+    return here.back();
+  }
+
+  const aiScene& scene_;
+  RigFile file_;
+  std::map<std::string, Eigen::Matrix4d, std::less<>> poses_;
+  std::map<std::array<float, 3>, std::vector<std::uint32_t>> at_position_;
+};
+
+}  // namespace
+
+RigFile read_rig_file(const std::filesystem::path& path) {
+  Assimp::Importer importer;
+  // Blender's names of a .dae's joints, not the ids that it derives from them.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  const aiScene* scene =
+      importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_GenSmoothNormals);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    throw Error({path.string(), "", "a rigged hand", importer.GetErrorString()});
+  }
+  return SceneReader(path, *scene).read();
+}
+
+}  // namespace graspdb

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "rig_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "graspdb/core/text.h"
+
+namespace graspdb {
+namespace {
+
+constexpr std::array<std::string_view, 5> kDigits = {"thumb", "index", "middle", "ring", "little"};
+
+bool read_is_left(const TomlTable& table) {
+  const std::string side = table.string("handedness");
+  if (side != "left" && side != "right") {
+    table.fail("handedness", "\"left\" or \"right\"", "\"" + side + "\"");
+  }
+  return side == "left";
+}
+
+Eigen::Vector3d read_vector(const TomlTable& table, std::string_view key) {
+  const std::vector<double> v = table.numbers(key, 3, -1e6, 1e6);
+  return {v[0], v[1], v[2]};
+}
+
+Eigen::Vector3d read_direction(const TomlTable& table, std::string_view key) {
+  const Eigen::Vector3d direction = read_vector(table, key);
+  if (!(direction.norm() > 1e-6)) table.fail(key, "a direction", "a vector of length 0");
+  return direction.normalized();
+}
+
+bool is_finger_metacarpal(int bone) {
+  return bone >= kFirstFingerBone && bone_parent(bone) == kPalm;
+}
+
+PerBone<std::vector<std::string>> read_bones(const TomlTable& table) {
+  PerBone<std::vector<std::string>> bones;
+  for (int bone = 0; bone < kBoneCount; ++bone) {
+    const bool may_be_absent = bone == kForearm || is_finger_metacarpal(bone);
+    if (may_be_absent && !table.has(bone_name(bone))) continue;
+    std::vector<std::string>& names = bones[static_cast<std::size_t>(bone)];
+    names = table.strings(bone_name(bone));
+    if (names.empty()) table.fail(bone_name(bone), "at least one bone of the file", "none");
+  }
+  table.finish();
+  return bones;
+}
+
+TipPlace read_tip(const TomlTable& table, std::string_view digit) {
+  const std::string position = fmt::format("{}_position", digit);
+  const std::string beyond = fmt::format("{}_beyond_distal_mm", digit);
+  const int given = table.has(digit) + table.has(position) + table.has(beyond);
+  if (given > 1) {
+    table.fail(digit, fmt::format("one of {}, {}, {}", digit, position, beyond),
+               fmt::format("{} of them", given));
+  }
+  if (table.has(digit)) return table.string(digit);
+  if (table.has(position)) return read_vector(table, position);
+  if (table.has(beyond)) return table.number(beyond, 3, 60) / 1000;
+  return std::monostate();
+}
+
+void read_tips(const TomlTable& table, RigMap& map) {
+  for (std::size_t digit = 0; digit < 5; ++digit) map.tips[digit] = read_tip(table, kDigits[digit]);
+  table.finish();
+}
+
+void index_names(const TomlTable& table, RigMap& map) {
+  for (int bone = 0; bone < kBoneCount; ++bone) {
+    for (const std::string& name : map.bones[static_cast<std::size_t>(bone)]) {
+      if (map.bone_of_name.emplace(name, bone).second) continue;
+      table.fail(bone_key(bone), "every bone once", fmt::format("\"{}\" twice", name));
+    }
+  }
+  for (std::size_t digit = 0; digit < 5; ++digit) {
+    const auto* name = std::get_if<std::string>(&map.tips[digit]);
+    if (name == nullptr) continue;
+    // The skin of a distal bone and of its tip are one.
+    const int distal =
+        digit == 0 ? int{kThumbDistal} : finger_bone(static_cast<int>(digit) - 1, kDistal);
+    const bool is_new = map.bone_of_name.emplace(*name, distal).second;
+    const auto& names = map.bones[static_cast<std::size_t>(distal)];
+    if (is_new || std::find(names.begin() + 1, names.end(), *name) != names.end()) continue;
+    table.fail(fmt::format("tips.{}", kDigits[digit]), "a joint of its own",
+               fmt::format("\"{}\" twice", *name));
+  }
+}
+
+void read_forearm(const TomlTable& root, RigMap& map) {
+  const bool has_bone = !map.bones[kForearm].empty();
+  const std::optional<TomlTable> table = root.table_if_any("forearm");
+  if (!table && has_bone) return;
+  if (!table) {
+    root.fail("forearm", fmt::format("a table with a rule, or a bone in {}", bone_key(kForearm)),
+              "neither");
+  }
+  if (!has_bone) {
+    map.forearm_split = {.at = table->number("split_at_mm", -50, 100) / 1000,
+                         .width = table->number("split_width_mm", 1, 150) / 1000};
+  } else if (table->has("split_at_mm") || table->has("split_width_mm")) {
+    table->fail("split_at_mm", "a hand without a bone of the forearm",
+                fmt::format("one in {}", bone_key(kForearm)));
+  }
+  map.forearm_extension = table->number_or("extend_mm", 0, 0, 400) / 1000;
+  table->finish();
+}
+
+void read_corrections(const TomlTable& table, RigMap& map) {
+  for (int bone = 0; bone < kBoneCount; ++bone) {
+    const std::string key = fmt::format("{}_mm", bone_name(bone));
+    if (bone == kForearm || !table.has(key)) continue;
+    if (map.bones[static_cast<std::size_t>(bone)].empty()) {
+      table.fail(key, "a bone that has a joint", fmt::format("no {}", bone_key(bone)));
+    }
+    map.moved_along[static_cast<std::size_t>(bone)] = table.number(key, -40, 40) / 1000;
+  }
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+    const std::string key = fmt::format("{}_roll_deg", kDigits[finger + 1]);
+    map.finger_rolls[finger] = radians(table.number_or(key, 0, -90, 90));
+  }
+  table.finish();
+}
+
+void read_skin(const TomlTable& table, RigMap& map) {
+  if (table.has("longest_edge_mm")) {
+    map.longest_edge = table.number("longest_edge_mm", 2, 50) / 1000;
+  }
+  map.bind_half_bent = table.boolean_or("bind_half_bent", false);
+  table.finish();
+}
+
+}  // namespace
+
+RigMap load_rig_map(const std::filesystem::path& path) {
+  const TomlTable table = TomlTable::load(path);
+  RigMap map{.file = table.file(),
+             .origin = table.string_or("origin", ""),
+             .license = table.string_or("licence", ""),
+             .is_left = read_is_left(table),
+             .meters_per_unit = table.number_or("metres_per_unit", 1, 1e-6, 1e3),
+             .thumb_nail = read_direction(table, "thumb_nail"),
+             .bones = read_bones(table.table("bones"))};
+  if (const auto tips = table.table_if_any("tips")) read_tips(*tips, map);
+  index_names(table, map);
+  read_forearm(table, map);
+  if (const auto corrections = table.table_if_any("corrections")) {
+    read_corrections(*corrections, map);
+  }
+  if (const auto skin = table.table_if_any("skin")) read_skin(*skin, map);
+  table.finish();
+  return map;
+}
+
+std::string bone_key(int bone) {
+  return fmt::format("bones.{}", bone_name(bone));
+}
+
+}  // namespace graspdb

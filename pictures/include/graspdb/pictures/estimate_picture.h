@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+
+#include "graspdb/core/image.h"
+#include "graspdb/database/database.h"
+#include "graspdb/pictures/database_rows.h"
+#include "graspdb/tracker/tracker.h"
+
+namespace graspdb {
+
+// Draws what an estimate looks like: the hand of its row (and its object, when the row holds one),
+// made again from the configuration that the database stores, in the estimated orientation. Not
+// thread-safe; the database must outlive it.
+class EstimatePicture {
+ public:
+  // `left_hand`: the estimates are of left hands, mirror images of the database's right ones.
+  EstimatePicture(const Database& database, bool left_hand)
+      : database_(database), left_hand_(left_hand) {}
+
+  // A square picture of a valid estimate, `side` pixels. A grasp's first one takes a second where
+  // the hand has no committed closed pose. Throws Error when hand or grasp files are absent or are
+  // not those that the database was built from.
+  ColorImage draw(const Estimate& estimate, int side);
+
+ private:
+  const DatabaseRows& rows_like(std::uint32_t row);
+  Eigen::Matrix3d right_hand_rotation(const Estimate& estimate) const;
+
+  const Database& database_;
+  bool left_hand_;
+  std::map<int, DatabaseRows> rows_;  // by grasp
+};
+
+}  // namespace graspdb

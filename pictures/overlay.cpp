@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/pictures/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "graspdb/core/opencv/opencv_image.h"
+#include "graspdb/core/transform.h"
+
+namespace graspdb {
+namespace {
+
+// A colour a digit, thumb to little finger.
+const cv::Scalar kDigitColors[] = {
+    {60, 60, 255}, {60, 200, 255}, {80, 230, 80}, {255, 180, 60}, {255, 90, 200}};
+
+cv::Mat gray_to_color(const GrayImage& image) {
+  cv::Mat color;
+  cv::cvtColor(as_mat(image), color, cv::COLOR_GRAY2BGR);
+  return color;
+}
+
+cv::Point joint_at(const Estimate& estimate, int joint) {
+  const auto limited = [](double v) {
+    return static_cast<int>(std::lround(std::clamp(v, -1e5, 1e5)));
+  };
+  return {limited(estimate.joints_px(0, joint)), limited(estimate.joints_px(1, joint))};
+}
+
+void draw_skeleton(cv::Mat& frame, const Estimate& estimate) {
+  const int thickness = std::max(2, frame.rows / 240);
+  for (int digit = 0; digit < 5; ++digit) {
+    for (int segment = 0; segment < 4; ++segment) {
+      const int to = 1 + 4 * digit + segment;
+      const int from = segment == 0 ? 0 : to - 1;
+      cv::line(frame, joint_at(estimate, from), joint_at(estimate, to), kDigitColors[digit],
+               thickness, cv::LINE_AA);
+      cv::circle(frame, joint_at(estimate, to), thickness + 1, kDigitColors[digit], cv::FILLED,
+                 cv::LINE_AA);
+    }
+  }
+  const Box& box = estimate.box;
+  cv::rectangle(frame, {box.x, box.y, box.width, box.height}, {255, 255, 255}, 1);
+}
+
+// Each cell's bins as strokes along the edge that they stand for, their brightness the value.
+cv::Mat draw_hog(const Descriptor& hog, int side) {
+  cv::Mat picture(side, side, CV_8UC3, cv::Scalar(24, 24, 24));
+  const double cell = side / 8.0;
+  for (int i = 0; i < kDescriptorSize; ++i) {
+    const double strength = std::min(1.0, std::pow(hog[static_cast<std::size_t>(i)] / 160.0, 2));
+    if (strength < 0.05) continue;
+    // An edge runs across its gradient.
+    const double angle = (i % 8 + 0.5) * kPi / 8 + kPi / 2;
+    const cv::Point2d center((i / 8 % 8 + 0.5) * cell, (i / 64 + 0.5) * cell);
+    const cv::Point2d half(std::cos(angle) * cell * 0.45, std::sin(angle) * cell * 0.45);
+    cv::line(picture, center - half, center + half, cv::Scalar::all(60 + 195 * strength), 1,
+             cv::LINE_AA);
+  }
+  return picture;
+}
+
+cv::Mat fitted(const cv::Mat& picture, int height) {
+  cv::Mat scaled;
+  const int width =
+      std::max(1, static_cast<int>(std::lround(1.0 * picture.cols * height / picture.rows)));
+  cv::resize(picture, scaled, {width, height}, 0, 0, cv::INTER_AREA);
+  return scaled;
+}
+
+void write_caption(cv::Mat& panel, const std::string& text) {
+  const double scale = panel.rows / 640.0;
+  cv::putText(panel, text, {8, panel.rows - 10}, cv::FONT_HERSHEY_SIMPLEX, scale, {0, 0, 0}, 3,
+              cv::LINE_AA);
+  cv::putText(panel, text, {8, panel.rows - 10}, cv::FONT_HERSHEY_SIMPLEX, scale, {255, 255, 255},
+              1, cv::LINE_AA);
+}
+
+}  // namespace
+
+ColorImage draw_overlay(const OverlayInput& input, int height) {
+  cv::Mat frame = as_mat(input.color).clone();
+  if (input.estimate.valid) draw_skeleton(frame, input.estimate);
+  const cv::Mat estimated = input.answer ? cv::Mat(as_mat(*input.answer))
+                                         : cv::Mat(height, height, CV_8UC3, cv::Scalar(24, 24, 24));
+  cv::Mat panels[] = {fitted(frame, height), fitted(gray_to_color(input.estimate.hand), height),
+                      draw_hog(input.estimate.descriptor, height), fitted(estimated, height)};
+  write_caption(panels[0], input.caption);
+  cv::Mat joined;
+  cv::hconcat(panels, 4, joined);
+  // Video encoders want even sides.
+  return to_color_image(joined(cv::Rect(0, 0, joined.cols & ~1, joined.rows & ~1)));
+}
+
+}  // namespace graspdb

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Frames of a sequence that another renderer made as photographs (docs/sequences.md): the hand in
+// them is found by the colour of its skin, as in a camera's frames; the truth is the sequence's.
+#pragma once
+
+#include <filesystem>
+
+#include "graspdb/sequences/frames.h"
+
+namespace graspdb {
+
+// Whether `folder` has a subfolder of the sequence's name. Throws Error when the pictures in it
+// (000000.jpg, 000001.jpg ...) are not as many as the sequence has frames.
+bool has_photoreal_frames(const SequenceSpec& spec, const std::filesystem::path& folder);
+
+// What find_hand() tells apart from the rest, with its forearm: evaluate() cuts it after it has
+// added noise, so that without noise the tracker is given what find_hand() finds. Throws Error for
+// a picture that is missing or not of the camera's size.
+SequenceFrames photoreal_frames(const SequenceRenderer& sequence,
+                                const std::filesystem::path& folder);
+
+// Intersection over union of two masks of one size; NaN when both are empty.
+double mask_iou(const Mask& a, const Mask& b);
+
+}  // namespace graspdb

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/sequences/photoreal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspdb/core/error.h"
+#include "graspdb/core/parallel.h"
+#include "graspdb/features/segmentation.h"
+#include "graspdb/renderer/image_io.h"
+
+namespace graspdb {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_empty(const Mask& mask) {
+  return std::all_of(mask.begin(), mask.end(), [](std::uint8_t pixel) { return pixel == 0; });
+}
+
+ColorImage read_frame(const fs::path& file, const Intrinsics& camera) {
+  ColorImage color = read_color(file);
+  if (color.width() == camera.width && color.height() == camera.height) return color;
+  throw Error({file.string(), "",
+               fmt::format("a picture of {} x {} pixels", camera.width, camera.height),
+               fmt::format("{} x {}", color.width(), color.height())});
+}
+
+}  // namespace
+
+bool has_photoreal_frames(const SequenceSpec& spec, const fs::path& folder) {
+  const fs::path frames = folder / spec.name;
+  if (!fs::is_directory(frames)) return false;
+  const auto found =
+      std::count_if(fs::directory_iterator(frames), fs::directory_iterator(),
+                    [](const auto& entry) { return entry.path().extension() == ".jpg"; });
+  if (found == spec.frame_count()) return true;
+  throw Error({frames.string(), "",
+               fmt::format("{} pictures (.jpg), a frame of {} each", spec.frame_count(), spec.name),
+               fmt::format("{}", found)});
+}
+
+SequenceFrames photoreal_frames(const SequenceRenderer& sequence, const fs::path& folder) {
+  SequenceFrames frames = render_frames(sequence);
+  frames.kind = FrameKind::kPhotoreal;
+  frames.segmentation_iou.resize(frames.hand.size());
+  parallel_for(frames.hand.size(), 0, [&](std::size_t i) {
+    const fs::path file = folder / frames.name / fmt::format("{:06}.jpg", i);
+    const ColorImage color = read_frame(file, frames.camera);
+    const Mask nothing(color.width(), color.height());
+    const Mask region = find_region(color).value_or(nothing);
+    const Mask found = isolate_hand(region);
+    frames.segmentation_iou[i] = mask_iou(found, isolate_hand(frames.hand[i]));
+    frames.gray[i] = to_gray(color);
+    frames.hand[i] = is_empty(found) ? nothing : region;
+  });
+  return frames;
+}
+
+double mask_iou(const Mask& a, const Mask& b) {
+  GRASPDB_CHECK(a.width() == b.width() && a.height() == b.height());
+  std::size_t both = 0, either = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    both += a.data()[i] != 0 && b.data()[i] != 0;
+    either += a.data()[i] != 0 || b.data()[i] != 0;
+  }
+  return either > 0 ? static_cast<double>(both) / static_cast<double>(either) : std::nan("");
+}
+
+}  // namespace graspdb

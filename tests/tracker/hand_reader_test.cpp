@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/tracker/hand_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "graspdb/core/error.h"
+#include "tracker/bars.h"
+#include "tracker/plain_options.h"
+
+namespace graspdb {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+const Intrinsics kFrameCamera = guess_camera(kWidth, kHeight);
+
+// A block of skin with light across it before a blue wall, and its mask. It is a square of 90
+// pixels, 80 wide on the left half of its height: no picture of it in the mirror is the same.
+struct Frame {
+  explicit Frame(int left) {
+    for (int y = 60; y < 150; ++y) {
+      const int right = left + (y < 105 ? 90 : 80);
+      for (int x = left; x < right; ++x) {
+        color.at(x, y) = {110, 140, static_cast<std::uint8_t>(160 + (x - left) / 2)};
+        mask.at(x, y) = 255;
+      }
+    }
+  }
+  ColorImage color{kWidth, kHeight, {90, 60, 40}};
+  Mask mask{kWidth, kHeight};
+};
+
+class Reader : public testing::BarDatabase {
+ protected:
+  HandReader reader(ReaderOptions options = {}) {
+    options.tracker = testing::PlainOptions{.temporal = TemporalModel::kNone, .max_distance = 1000};
+    return {*database_, *search_, options};
+  }
+};
+
+void expect_same(const Estimate& a, const Estimate& b) {
+  EXPECT_EQ(a.valid, b.valid);
+  EXPECT_EQ(a.row, b.row);
+  EXPECT_EQ(a.box, b.box);
+  EXPECT_EQ(a.hand, b.hand);
+  EXPECT_EQ(a.descriptor, b.descriptor);
+  EXPECT_EQ(a.joints, b.joints);
+}
+
+TEST_F(Reader, AFrameAndItsMaskAreReadAsItsHalvesAre) {
+  const Frame frame(100);
+  const Estimate whole = reader().read(frame.color, frame.mask, kFrameCamera);
+  HandReader by_halves = reader();
+  expect_same(by_halves.read(by_halves.observe(to_gray(frame.color), frame.mask, kFrameCamera)),
+              whole);
+  ASSERT_TRUE(whole.valid);
+  EXPECT_EQ(whole.hand, isolate_hand(frame.mask));
+  EXPECT_GE(whole.ms.total, whole.ms.segment + whole.ms.describe + whole.ms.search);
+}
+
+TEST_F(Reader, WithoutAMaskTheHandIsFoundByItsColor) {
+  const Frame frame(100);
+  const Estimate estimate = reader().read(frame.color, kFrameCamera);
+  EXPECT_EQ(estimate.hand, find_hand(frame.color));
+  EXPECT_TRUE(estimate.valid);
+}
+
+TEST_F(Reader, TheHandIsTheRegionThatTouchesTheRegionOfInterest) {
+  Frame frame(20);
+  const Frame other(200);
+  for (std::size_t i = 0; i < other.mask.size(); ++i) {
+    if (other.mask.data()[i] != 0) frame.color.data()[i] = other.color.data()[i];
+  }
+  const Box right_half{160, 0, 160, 240};
+  HandReader reader = this->reader({.roi = right_half});
+  EXPECT_GE(reader.read(frame.color, kFrameCamera).box.x, 160);
+}
+
+TEST_F(Reader, AFrameWithoutAHandIsInvalid) {
+  const Estimate estimate = reader().read(ColorImage(kWidth, kHeight, {90, 60, 40}), kFrameCamera);
+  EXPECT_FALSE(estimate.valid);
+  EXPECT_EQ(estimate.box.width, 0);
+  EXPECT_TRUE(std::ranges::all_of(estimate.hand, [](std::uint8_t pixel) { return pixel == 0; }));
+}
+
+TEST_F(Reader, AMirroredFrameOfTheOtherHandGivesTheMirroredAnswer) {
+  const Frame frame(100);
+  const Estimate seen = reader().read(frame.color, frame.mask, kFrameCamera);
+  const Estimate other =
+      reader({.left_hand = true}).read(mirrored(frame.color), mirrored(frame.mask), kFrameCamera);
+  ASSERT_TRUE(other.valid);
+  EXPECT_EQ(other.row, seen.row);
+  EXPECT_EQ(other.hand, mirrored(seen.hand));
+  EXPECT_EQ(other.box.x, kWidth - seen.box.x - seen.box.width);
+  const Eigen::Vector3d &wrist = seen.camera_from_hand.translation,
+                        &other_wrist = other.camera_from_hand.translation;
+  EXPECT_NEAR(other_wrist.x(), -wrist.x(), 1e-9);
+  EXPECT_NEAR(other_wrist.z(), wrist.z(), 1e-9);
+  EXPECT_NEAR(other.camera_from_hand.rotation.determinant(), 1, 1e-9);
+  for (int i = 0; i < kKeypointCount; ++i) {
+    EXPECT_LT((kFrameCamera.project(other.joints.col(i)) - other.joints_px.col(i)).norm(), 1e-6);
+  }
+}
+
+TEST_F(Reader, OpensASearchByItsNameAndRefusesAnother) {
+  const Frame frame(100);
+  HandReader named(*database_, {}, "exact");
+  EXPECT_EQ(named.search().nearest(Descriptor{}, 3), search_->nearest(Descriptor{}, 3));
+  EXPECT_THROW(HandReader(*database_, {}, "none"), Error);
+}
+
+}  // namespace
+}  // namespace graspdb

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "graspdb/tracker/tracker.h"
+
+namespace graspdb::testing {
+
+// What a test wants of a tracker's options; the others are plain round numbers.
+struct PlainOptions {
+  TemporalModel temporal = TemporalModel::kKde;
+  int neighbors = 20, kept = 20;
+  double sigma_hog = 1, sigma_stretch = 0.15, max_distance = 5;
+
+  operator TrackerOptions() const {
+    return {.temporal = temporal,
+            .neighbors = neighbors,
+            .kept = kept,
+            .sigma_hog = sigma_hog,
+            .sigma_stretch = sigma_stretch,
+            .sigma_pose = 0.5,
+            .bandwidth = 0.5,
+            .max_distance = max_distance};
+  }
+};
+
+}  // namespace graspdb::testing

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/tracker/hand_reader.h"
+
+#include <utility>
+
+#include "graspdb/core/error.h"
+#include "graspdb/core/stopwatch.h"
+#include "mirror.h"
+
+namespace graspdb {
+
+HandReader::HandReader(const Database& database, const ReaderOptions& options,
+                       const std::string& search)
+    : options_(options),
+      own_search_(open_search(database, search)),
+      search_(*own_search_),
+      tracker_(database, search_, options.tracker) {}
+
+HandReader::HandReader(const Database& database, const Search& search, const ReaderOptions& options)
+    : options_(options), search_(search), tracker_(database, search_, options.tracker) {}
+
+Estimate HandReader::read(const ColorImage& frame, const Intrinsics& camera) {
+  return read(observe(frame, camera));
+}
+
+Estimate HandReader::read(const ColorImage& frame, const Mask& mask, const Intrinsics& camera) {
+  return read(observe(to_gray(frame), mask, camera));
+}
+
+Observation HandReader::observe(const ColorImage& frame, const Intrinsics& camera) const {
+  const Stopwatch watch;
+  Mask hand = find_hand(frame, options_.roi, options_.skin);
+  return {to_gray(frame), std::move(hand), camera, watch.ms()};
+}
+
+Observation HandReader::observe(GrayImage gray, const Mask& mask, const Intrinsics& camera) const {
+  GRASPDB_CHECK(mask.width() == gray.width() && mask.height() == gray.height());
+  const Stopwatch watch;
+  Mask hand = isolate_hand(mask, options_.roi);
+  return {std::move(gray), std::move(hand), camera, watch.ms()};
+}
+
+Estimate HandReader::read(Observation seen) {
+  const Stopwatch watch;
+  Estimate estimate = options_.left_hand
+                          ? mirrored(tracker_.step(mirrored(seen)), seen.gray.width())
+                          : tracker_.step(seen);
+  estimate.ms.segment = seen.segment_ms;
+  estimate.ms.total = seen.segment_ms + watch.ms();
+  estimate.hand = std::move(seen.hand);
+  return estimate;
+}
+
+}  // namespace graspdb

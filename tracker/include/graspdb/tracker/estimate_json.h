@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "graspdb/database/database.h"
+#include "graspdb/tracker/tracker.h"
+
+namespace graspdb {
+
+// One line of `track --json`, without a line end; docs/tracking.md names every key. `frame` counts
+// from 0.
+std::string estimate_json(int frame, double time_s, const Estimate& estimate,
+                          const Database& database);
+
+}  // namespace graspdb

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// From a camera's frame to a hand's pose: finds the hand, describes it, looks it up, and weighs
+// what was found by what was known before.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "graspdb/core/camera.h"
+#include "graspdb/core/image.h"
+#include "graspdb/database/database.h"
+#include "graspdb/database/search.h"
+#include "graspdb/features/segmentation.h"
+#include "graspdb/tracker/tracker.h"
+
+namespace graspdb {
+
+struct ReaderOptions {
+  TrackerOptions tracker = tuned_options(TemporalModel::kKde);
+  SkinOptions skin;
+  std::optional<Box> roi;  // pixels; the hand is the largest region that touches it
+  bool left_hand = false;  // frames are mirrored on the way in, answers on the way out
+};
+
+// Frames of one video, in their order. Not thread-safe; the database must outlive it, and so must a
+// search that is given.
+class HandReader {
+ public:
+  // Throws Error for a database of a descriptor that is not known and for an option out of range.
+  explicit HandReader(const Database& database, const ReaderOptions& options = {},
+                      const std::string& search = kDefaultSearch);
+  // With a search that several readers share.
+  HandReader(const Database& database, const Search& search, const ReaderOptions& options = {});
+
+  // The pose of the hand in the next frame. Without a hand the estimate is invalid, and the past is
+  // forgotten. Throws Error for a database whose rows were altered.
+  Estimate read(const ColorImage& frame, const Intrinsics& camera);
+  // The same with a mask of the hand, which may show its forearm too; of the frame's size.
+  Estimate read(const ColorImage& frame, const Mask& mask, const Intrinsics& camera);
+
+  // The two halves of read(), for several readers of the same frame.
+  Observation observe(const ColorImage& frame, const Intrinsics& camera) const;
+  Observation observe(GrayImage gray, const Mask& mask, const Intrinsics& camera) const;
+  Estimate read(Observation seen);
+
+  const Search& search() const { return search_; }
+
+ private:
+  ReaderOptions options_;
+  std::unique_ptr<const Search> own_search_;
+  const Search& search_;
+  Tracker tracker_;
+};
+
+}  // namespace graspdb

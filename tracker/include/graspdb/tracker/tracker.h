@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Reads a hand's pose from one frame and the previous state: Romero, Kjellstroem and Kragic, "Hands
+// in Action" (ICRA 2010).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "graspdb/core/camera.h"
+#include "graspdb/core/image.h"
+#include "graspdb/database/database.h"
+#include "graspdb/database/search.h"
+#include "graspdb/features/hog.h"
+#include "graspdb/hand/skeleton.h"
+#include "graspdb/tracker/pose_vector.h"
+
+namespace graspdb {
+
+// How a frame depends on the one before.
+enum class TemporalModel {
+  kNone,      // not at all
+  kGaussian,  // around the previous answer: a single hypothesis
+  kKde,       // around all previous hypotheses: a kernel density estimate
+  // As kKde; and what each previous hypothesis may have become is weighed too, whether the search
+  // finds it or not: the same grasp at a step and from a view next to its own.
+  kSuccessors,
+};
+
+inline constexpr std::array kTemporalModels = {TemporalModel::kNone, TemporalModel::kGaussian,
+                                               TemporalModel::kKde, TemporalModel::kSuccessors};
+std::string temporal_name(TemporalModel model);             // "none", "gaussian", ...
+TemporalModel temporal_from_name(const std::string& name);  // throws Error
+
+// No value is right for every temporal model: start from tuned_options(). What is left at 0 is
+// refused.
+struct TrackerOptions {
+  TemporalModel temporal = TemporalModel::kKde;
+  int neighbors = 0;         // k, 1..1000
+  int kept = 0;              // hypotheses, the heaviest, that the next frame remembers, 1..1000
+  double sigma_hog = 0;      // of the descriptor distance (a row's 255 counts as 1), .01..100
+  double sigma_stretch = 0;  // of the logarithm of the box's aspect ratio over the row's, .01..100
+  double sigma_pose = 0;     // of the pose vector around the previous answer, .01..100
+  double bandwidth = 0;      // of the pose vector around each previous hypothesis, .01..100
+  double max_distance = 0;   // a nearest descriptor further away is no hand, .01..1000
+};
+
+// As chosen for this temporal model on the training sequences (docs/tracking.md).
+TrackerOptions tuned_options(TemporalModel temporal);
+
+// One of the numbers among them.
+struct TrackerNumber {
+  const char* key;    // in files and messages
+  const char* names;  // on the command line
+  std::variant<int TrackerOptions::*, double TrackerOptions::*> member;
+  double low, high;
+  const char* help;
+  bool tuned = true;  // scripts/tune.py chooses it
+};
+inline constexpr std::array<TrackerNumber, 7> kTrackerNumbers = {
+    {{"neighbours", "-k,--neighbours", &TrackerOptions::neighbors, 1, 1000, "Neighbours looked up"},
+     {"kept", "--kept", &TrackerOptions::kept, 1, 1000, "Hypotheses that the next frame remembers"},
+     {"sigma_hog", "--sigma-hog", &TrackerOptions::sigma_hog, 0.01, 100,
+      "Of the descriptor distance"},
+     {"sigma_stretch", "--sigma-stretch", &TrackerOptions::sigma_stretch, 0.01, 100,
+      "Of the box's log aspect ratio against the row's"},
+     {"sigma_pose", "--sigma-pose", &TrackerOptions::sigma_pose, 0.01, 100,
+      "Of the pose around the last answer (gaussian)"},
+     {"bandwidth", "--bandwidth", &TrackerOptions::bandwidth, 0.01, 100,
+      "Of the pose around each last hypothesis (kde, successors)"},
+     {"max_distance", "--max-distance", &TrackerOptions::max_distance, 0.01, 1000,
+      "A nearest descriptor further away is no hand", false}}};
+
+double number_of(const TrackerOptions& options, const TrackerNumber& number);
+void set_number(TrackerOptions& options, const TrackerNumber& number, double value);
+// Throws Error naming the number that is out of its range.
+void check_options(const TrackerOptions& options);
+
+// What is seen in one frame.
+struct Observation {
+  GrayImage gray;
+  Mask hand;  // the visible hand without its forearm, of the same size
+  Intrinsics camera;
+  double segment_ms = 0;  // what finding it took
+};
+
+struct Hypothesis {
+  std::uint32_t row = 0;
+  double weight = 0;  // they sum to 1
+};
+
+struct StageTimes {  // milliseconds
+  double segment = 0, describe = 0, search = 0, temporal = 0;
+  double total = 0;  // of all of them and what lies between; the first and this are HandReader's
+};
+
+// Without a hand `valid` is false and only what was seen and the times mean anything.
+struct Estimate {
+  bool valid = false;
+  // How likely the rotation is right to 30 degrees, by the distance of the nearest descriptor.
+  double confidence = 0;
+  // What was seen.
+  Mask hand;              // HandReader's
+  Box box;                // of the mask, pixels; empty without one
+  Descriptor descriptor;  // of the mask's pixels; of a left hand in the mirror
+  // The answer: the heaviest hypothesis.
+  std::uint32_t row = 0;
+  double distance = 0;           // of the nearest descriptor
+  int grasp = 0;                 // id, of the row
+  double grasp_probability = 0;  // the weight of all hypotheses of that grasp
+  int step = 0;
+  RigidTransform camera_from_hand;  // its translation is where the wrist is
+  JointAngles angles = JointAngles::Zero();
+  Keypoints joints = Keypoints::Zero();  // camera frame, metres
+  Eigen::Matrix<double, 2, kKeypointCount> joints_px =
+      Eigen::Matrix<double, 2, kKeypointCount>::Zero();
+  std::vector<Hypothesis> hypotheses;  // all that were weighed, heaviest first
+  StageTimes ms;
+};
+
+class Successors;
+
+// Of right hands, one video; HandReader is what finds them in its frames. Not thread-safe; database
+// and search must outlive it.
+class Tracker {
+ public:
+  // Throws Error as check_options does, and for a database of a descriptor that is not known.
+  Tracker(const Database& database, const Search& search, const TrackerOptions& options);
+  ~Tracker();
+  Tracker(Tracker&&) noexcept;
+
+  // Reads the next frame. A mask without a hand gives an invalid estimate and forgets the past.
+  // Throws Error for a database whose rows were altered.
+  Estimate step(const Observation& seen);
+
+ private:
+  struct Candidate;
+
+  bool read(const Observation& seen, Estimate& estimate);
+  std::vector<Neighbor> neighbors_of(const Descriptor& query) const;
+  std::vector<Candidate> look_up(const std::vector<Neighbor>& neighbors, const Box& box,
+                                 const Intrinsics& camera) const;
+  void check_row(std::uint32_t row) const;
+  double log_prior(const PoseVector& pose) const;
+  void weigh(std::vector<Candidate>& candidates) const;
+  void answer(const std::vector<Candidate>& candidates, const Intrinsics& camera,
+              Estimate& estimate) const;
+  void remember(std::vector<Candidate> candidates);
+
+  const Database& database_;
+  const Search& search_;
+  TrackerOptions options_;
+  HogMode hog_;
+  std::unique_ptr<const Successors> successors_;  // of kSuccessors
+  std::vector<Candidate> previous_;               // heaviest first
+};
+
+}  // namespace graspdb

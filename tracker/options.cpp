@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "graspdb/core/error.h"
+#include "graspdb/tracker/tracker.h"
+
+namespace graspdb {
+
+double number_of(const TrackerOptions& options, const TrackerNumber& number) {
+  return std::visit([&](auto member) { return static_cast<double>(options.*member); },
+                    number.member);
+}
+
+void set_number(TrackerOptions& options, const TrackerNumber& number, double value) {
+  std::visit(
+      [&](auto member) {
+        options.*member = static_cast<std::decay_t<decltype(options.*member)>>(value);
+      },
+      number.member);
+}
+
+void check_options(const TrackerOptions& options) {
+  for (const TrackerNumber& number : kTrackerNumbers) {
+    const double value = number_of(options, number);
+    if (value >= number.low && value <= number.high) continue;
+    throw Error({.key = number.key,
+                 .expected = fmt::format("{} to {}", number.low, number.high),
+                 .found = fmt::format("{}", value)});
+  }
+}
+
+}  // namespace graspdb
