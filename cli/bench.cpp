@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Options {
+struct BenchArguments {
   std::string database, video;
   int queries = 200, k = 20, frames = 500;
   bool json = false;
@@ -32,7 +32,7 @@ Spread time_ms(const Search& search, const std::vector<Descriptor>& queries, int
   return spread(std::move(ms));
 }
 
-json bench_searches(const Database& database, const Options& options) {
+json bench_searches(const Database& database, const BenchArguments& options) {
   const auto queries = held_out_queries(database, options.queries);
   const auto exact = open_search(database, "exact");
   json lines = json::array();
@@ -53,7 +53,7 @@ json bench_searches(const Database& database, const Options& options) {
   return lines;
 }
 
-void run(const Options& options) {
+void run(const BenchArguments& options) {
   const Database database = Database::open(options.database);
   const TrackerBench tracker = bench_tracker(database, options.video, options.frames,
                                              console_progress("rendered", "frames"));
@@ -69,7 +69,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_bench(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchArguments>();
   CLI::App* verb =
       app.add_subcommand("bench", "Time searches and tracker, and measure their recall and memory");
   verb->add_option("DB", options->database, "The database")->required();

@@ -16,10 +16,10 @@
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct BuildArguments {
   BuildConfig given;                                        // as options say
   std::vector<std::function<void(BuildConfig&)>> override;  // what was given, over a --config
-  std::string config_file;
+  std::string config_file, preset;
   double visible_forearm_mm = 1000 * BuildConfig{}.visible_forearm;
   std::string hog = hog_name(BuildConfig{}.hog);
   std::string out, work, shard = "0/1";
@@ -39,8 +39,9 @@ void stop_on_interrupt() {
   }
 }
 
-BuildConfig config_of(const Options& options) {
+BuildConfig config_of(const BuildArguments& options) {
   BuildConfig config;
+  if (!options.preset.empty()) config = load_config(preset_file(options.preset));
   if (!options.config_file.empty()) config = load_config(options.config_file);
   for (const auto& override : options.override) override(config);
   if (config.hands.empty()) config.hands = {default_hand_file()};
@@ -59,7 +60,7 @@ void read_shard(const std::string& text, BuildJob& job) {
   }
 }
 
-BuildJob job_of(const Options& options) {
+BuildJob job_of(const BuildArguments& options) {
   BuildJob job{.out = options.out, .work = options.work, .threads = options.threads};
   read_shard(options.shard, job);
   job.progress = console_progress("made", "rows");
@@ -78,7 +79,7 @@ void print_json(const BuildReport& report) {
                          .dump());
 }
 
-void print_text(const Options& options, const BuildReport& report) {
+void print_text(const BuildArguments& options, const BuildReport& report) {
   if (report.content_hash.empty()) {
     fmt::print("part {} of the shards: {} rows, {} of them rendered, in {:.1f} s\n", options.shard,
                report.rows, report.rendered_rows, report.seconds);
@@ -91,7 +92,7 @@ void print_text(const Options& options, const BuildReport& report) {
       report.content_hash);
 }
 
-void print(const Options& options, const BuildReport& report) {
+void print(const BuildArguments& options, const BuildReport& report) {
   if (options.json) {
     print_json(report);
   } else {
@@ -99,12 +100,12 @@ void print(const Options& options, const BuildReport& report) {
   }
 }
 
-void run_build(const Options& options) {
+void run_build(const BuildArguments& options) {
   stop_on_interrupt();
   print(options, build_database(config_of(options), job_of(options)));
 }
 
-void add_job(CLI::App& verb, Options& options) {
+void add_job(CLI::App& verb, BuildArguments& options) {
   verb.add_option("--threads", options.threads, "Threads, 0 for all processors; changes no byte")
       ->check(CLI::Range(0, 1024));
   verb.add_flag("--json", options.json, "The report as JSON");
@@ -113,7 +114,7 @@ void add_job(CLI::App& verb, Options& options) {
 // Registers options for the rows; each stands over the one of --config when it is given.
 class RowOptions {
  public:
-  RowOptions(CLI::App& verb, Options& options) : verb_(verb), options_(options) {}
+  RowOptions(CLI::App& verb, BuildArguments& options) : verb_(verb), options_(options) {}
 
   void add_all() {
     const CLI::Option* hands =
@@ -214,18 +215,23 @@ class RowOptions {
   }
 
   CLI::App& verb_;
-  Options& options_;
+  BuildArguments& options_;
 };
 
 }  // namespace
 
 void add_build(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BuildArguments>();
   CLI::App* verb =
       app.add_subcommand("build", "Render a database of views of hands holding objects");
   verb->add_option("--out", options->out, "The database file to write")->required();
+  CLI::Option* preset =
+      verb->add_option("--preset", options->preset,
+                       "paper: the paper's 106,920 rows; tracking: what `track` works best with");
+  preset->default_str("paper");
   verb->add_option("--config", options->config_file,
-                   "A TOML file of options, or a database that is to be made again");
+                   "A TOML file of options, or a database that is to be made again")
+      ->excludes(preset);
   RowOptions(*verb, *options).add_all();
   verb->add_option("--work", options->work, "The folder of finished shards [OUT.work]");
   verb->add_option("--shard", options->shard,
@@ -234,12 +240,13 @@ void add_build(CLI::App& app) {
   verb->footer(
       "What is finished stays in the folder of shards: a build that was stopped goes on, and one\n"
       "with another grasp renders only that.\n"
-      "Example: graspdb build --only 1,3,9 --objects both --out small.graspdb");
+      "A preset is a file like that of --config: assets/presets/NAME.toml among the data.\n"
+      "Example: graspdb build --preset tracking --out hands.graspdb");
   verb->callback([options] { run_build(*options); });
 }
 
 void add_merge(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BuildArguments>();
   CLI::App* verb = app.add_subcommand("merge", "Join the shards of `graspdb build --shard`");
   verb->add_option("--out", options->out, "The database file to write")->required();
   verb->add_option("--work", options->work, "The folder of finished shards [OUT.work]");

@@ -12,7 +12,7 @@
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct DiffArguments {
   std::string a, b;
 };
 
@@ -90,7 +90,7 @@ void compare_rows(const Database& a, const Database& b, Difference& difference) 
   column("variant", [](const Database& d, std::size_t row) { return d.variant(row); });
 }
 
-void run(const Options& options) {
+void run(const DiffArguments& options) {
   const Database a = Database::open(options.a), b = Database::open(options.b);
   Difference difference;
   compare_info(a.info(), b.info(), difference);
@@ -102,7 +102,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_diff(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiffArguments>();
   CLI::App* verb =
       app.add_subcommand("diff", "Tell what differs between two databases; exit 1 when any does");
   verb->add_option("A", options->a, "A database")->required();

@@ -17,7 +17,7 @@
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct EvalArguments {
   std::string database, out;
   SequenceSetOptions set;
   NoiseOptions noise{.alphas = EvalOptions{}.alphas};
@@ -32,21 +32,21 @@ void require_folder(const std::filesystem::path& out) {
   if (error) throw Error({.file = out.string(), .expected = "a folder", .found = error.message()});
 }
 
-void write_all(const Options& options, const EvalReport& report, const std::string& json) {
+void write_all(const EvalArguments& options, const EvalReport& report, const std::string& text) {
   const std::filesystem::path out = options.out;
   write_text(out / "frames.csv", frames_csv(report));
   write_text(out / "runs.csv", runs_csv(report));
-  write_text(out / "eval.json", json);
+  write_text(out / "eval.json", text);
 }
 
-EvalOptions eval_options(const Options& options) {
+EvalOptions eval_options(const EvalArguments& options) {
   EvalOptions settings{.trackers = {}, .alphas = options.noise.alphas, .seed = options.noise.seed};
   for (const TemporalModel model : kTemporalModels)
     settings.trackers.push_back(options.tracker.options(model));
   return settings;
 }
 
-void run(const Options& options) {
+void run(const EvalArguments& options) {
   const Database database = Database::open(options.database);
   SequenceSet set(options.set);
   if (!options.out.empty()) require_folder(options.out);
@@ -71,14 +71,14 @@ void run(const Options& options) {
     fmt::print("{}",
                set_tables(report.set, report.sequences.front().kind, report.sequences.size()));
   }
-  nlohmann::json json = eval_json(report);
-  json["database"] = {{"content_hash", database.content_hash()}, {"rows", database.rows()}};
+  nlohmann::json all = eval_json(report);
+  all["database"] = {{"content_hash", database.content_hash()}, {"rows", database.rows()}};
   for (const TrackerOptions& tracker : settings.trackers)
-    json["trackers"][temporal_name(tracker.temporal)] = options_json(tracker);
-  json["search"] = options.tracker.search;
-  json["seed"] = options.noise.seed;
-  json.update(set.json());
-  const std::string text = json.dump(1) + "\n";
+    all["trackers"][temporal_name(tracker.temporal)] = options_json(tracker);
+  all["search"] = options.tracker.search;
+  all["seed"] = options.noise.seed;
+  all.update(set.json());
+  const std::string text = all.dump(1) + "\n";
   if (options.json) fmt::print("{}", text);
   if (!options.out.empty()) write_all(options, report, text);
 }
@@ -86,7 +86,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_eval(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EvalArguments>();
   CLI::App* verb =
       app.add_subcommand("eval", "Track rendered sequences and hold the answers against the truth");
   verb->add_option("DB", options->database, "The database")->required();

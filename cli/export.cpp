@@ -9,13 +9,13 @@
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct ExportArguments {
   std::string database, format, out;
   RowSelection selection;
   CocoOptions coco;
 };
 
-void run(Options& options) {
+void run(ExportArguments& options) {
   const Database database = Database::open(options.database);
   options.coco.rows = chosen_rows(database, options.selection);
   options.coco.progress = console_progress("exported", "rows");
@@ -26,7 +26,7 @@ void run(Options& options) {
 }  // namespace
 
 void add_export(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportArguments>();
   CLI::App* verb =
       app.add_subcommand("export", "Write rows of a database as pictures in another format");
   verb->add_option("DB", options->database, "The database")->required();

@@ -19,7 +19,7 @@
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct GraspArguments {
   std::string file;
   std::string hand;
   std::string out;
@@ -28,17 +28,17 @@ struct Options {
   bool steps = false;
 };
 
-std::vector<Grasp> chosen(const Options& options) {
+std::vector<Grasp> chosen(const GraspArguments& options) {
   if (!options.file.empty()) return {load_grasp(options.file)};
   return load_grasps(grasp_directory());
 }
 
-std::filesystem::path directory_of(const Options& options) {
+std::filesystem::path directory_of(const GraspArguments& options) {
   return options.file.empty() ? grasp_directory()
                               : std::filesystem::path(options.file).parent_path();
 }
 
-Hand chosen_hand(const Options& options) {
+Hand chosen_hand(const GraspArguments& options) {
   return load_hand(options.hand.empty() ? default_hand_file()
                                         : std::filesystem::path(options.hand));
 }
@@ -49,7 +49,7 @@ void run_list() {
   }
 }
 
-void run_check(const Options& options) {
+void run_check(const GraspArguments& options) {
   const std::vector<Grasp> grasps = chosen(options);
   const Hand hand = chosen_hand(options);
   const JointAngles rest = load_rest_pose(directory_of(options));
@@ -73,7 +73,7 @@ void run_check(const Options& options) {
   if (failed > 0) throw Error(fmt::format("{} of {} grasps fail", failed, grasps.size()));
 }
 
-void run_close(const Options& options) {
+void run_close(const GraspArguments& options) {
   const std::vector<Grasp> grasps = chosen(options);
   const Hand hand = chosen_hand(options);
   std::vector<GraspPose> poses(grasps.size());
@@ -89,7 +89,7 @@ void run_close(const Options& options) {
   fmt::print("{}\n", file.string());
 }
 
-ColorImage draw(const Options& options, std::vector<Grasp> grasps, const Hand& hand) {
+ColorImage draw(const GraspArguments& options, std::vector<Grasp> grasps, const Hand& hand) {
   for (Grasp& grasp : grasps) grasp = fitted_to(hand, std::move(grasp));
   const JointAngles rest = load_rest_pose(directory_of(options));
   std::map<int, GraspPose> closed;
@@ -99,7 +99,7 @@ ColorImage draw(const Options& options, std::vector<Grasp> grasps, const Hand& h
   return draw_grasp_sheet(hand, grasps.front(), rest, closed.begin()->second);
 }
 
-void run_sheet(const Options& options) {
+void run_sheet(const GraspArguments& options) {
   write_png(options.out, draw(options, chosen(options), chosen_hand(options)));
   fmt::print("{}\n", options.out);
 }
@@ -117,7 +117,7 @@ void add_new(CLI::App& grasp) {
   });
 }
 
-void add_common(CLI::App& verb, Options& options) {
+void add_common(CLI::App& verb, GraspArguments& options) {
   CLI::Option* file = verb.add_option("FILE", options.file, "One grasp file");
   verb.add_flag("--all")
       ->description("All of the project's grasps, as without FILE")
@@ -128,7 +128,7 @@ void add_common(CLI::App& verb, Options& options) {
 }  // namespace
 
 void add_grasp(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GraspArguments>();
   CLI::App* grasp = app.add_subcommand("grasp", "List, check, close and draw grasps");
   grasp->require_subcommand(1);
   grasp->add_subcommand("list", "The grasps with type and object")->callback([] { run_list(); });

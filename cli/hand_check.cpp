@@ -18,7 +18,7 @@ namespace {
 
 using Status = HandCheckLine::Status;
 
-struct Options {
+struct HandCheckArguments {
   std::string file, rig;
   double length_mm = 0, breadth_mm = 0;  // 0: not told
   bool json = false;
@@ -34,13 +34,14 @@ std::optional<HandShape> shape_of(const std::filesystem::path& file) {
   return default_hand_shape(name);
 }
 
-std::optional<AskedSize> asked_size(const Options& options, const std::optional<HandShape>& shape) {
+std::optional<AskedSize> asked_size(const HandCheckArguments& options,
+                                    const std::optional<HandShape>& shape) {
   if (options.length_mm > 0) return AskedSize{options.length_mm, options.breadth_mm};
   if (shape) return AskedSize{shape->length_mm, shape->breadth_mm};
   return std::nullopt;
 }
 
-std::vector<HandCheckLine> lines_of(const Options& options, const Hand& hand) {
+std::vector<HandCheckLine> lines_of(const HandCheckArguments& options, const Hand& hand) {
   const std::optional<HandShape> shape = shape_of(options.file);
   std::vector<HandCheckLine> lines = check_hand_file(options.file);
   const std::vector<HandCheckLine> of_hand = check_hand(hand, asked_size(options, shape));
@@ -52,14 +53,14 @@ std::vector<HandCheckLine> lines_of(const Options& options, const Hand& hand) {
 }
 
 nlohmann::json to_json(const HandCheckLine& line) {
-  nlohmann::json json = {{"name", line.name},
-                         {"value", nullptr},
-                         {"unit", line.unit},
-                         {"gate", line.gate},
-                         {"status", status_name(line.status)},
-                         {"why", line.why}};
-  if (std::isfinite(line.value)) json["value"] = line.value;
-  return json;
+  nlohmann::json entry = {{"name", line.name},
+                          {"value", nullptr},
+                          {"unit", line.unit},
+                          {"gate", line.gate},
+                          {"status", status_name(line.status)},
+                          {"why", line.why}};
+  if (std::isfinite(line.value)) entry["value"] = line.value;
+  return entry;
 }
 
 void print(const HandCheckLine& line) {
@@ -73,7 +74,7 @@ void print(const HandCheckLine& line) {
   fmt::print("{}\n", text.substr(0, text.find_last_not_of(' ') + 1));
 }
 
-void run(const Options& options) {
+void run(const HandCheckArguments& options) {
   const Hand hand =
       options.rig.empty() ? load_hand(options.file) : load_hand(options.file, options.rig);
   const std::vector<HandCheckLine> lines = lines_of(options, hand);
@@ -99,7 +100,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_hand_check(CLI::App& hand) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<HandCheckArguments>();
   CLI::App* check = hand.add_subcommand(
       "check", "Measure a rigged hand: surface, skin, reach and angles; exit 1 when a gate fails");
   check->add_option("GLB", options->file, "The hand: .glb, .fbx, .dae")->required();

@@ -63,13 +63,13 @@ void print(const Database& database) {
   print_card(card_of(info));
 }
 
-struct Options {
+struct InfoArguments {
   std::string file, sheet;
   bool json = false;
   int rows = 60;
 };
 
-void run_info(const Options& options) {
+void run_info(const InfoArguments& options) {
   const Database database = Database::open(options.file);
   if (!options.sheet.empty()) {
     const auto rows = spread_rows(database.rows(), static_cast<std::size_t>(options.rows));
@@ -98,7 +98,7 @@ void add_verify(CLI::App& app) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoArguments>();
   CLI::App* info = app.add_subcommand("info", "Say what a database holds");
   info->add_option("DB", options->file, "The database")->required();
   info->add_flag("--json", options->json, "As JSON");

@@ -15,7 +15,7 @@
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct QueryArguments {
   std::string database, image, mask, search = kDefaultSearch, out;
   int count = 20;
   bool json = false;
@@ -84,7 +84,7 @@ void print_text(const Database& database, const std::vector<Neighbor>& neighbors
   }
 }
 
-void draw(const Options& options, const Database& database, const Query& query,
+void draw(const QueryArguments& options, const Database& database, const Query& query,
           const std::vector<Neighbor>& neighbors) {
   std::vector<std::size_t> rows;
   for (const Neighbor& neighbor : neighbors) rows.push_back(neighbor.row);
@@ -93,7 +93,7 @@ void draw(const Options& options, const Database& database, const Query& query,
   write_png(options.out, draw_row_sheet(database, rows, title, hand_picture(query)));
 }
 
-Query read_query(const Options& options, HandReader& reader) {
+Query read_query(const QueryArguments& options, HandReader& reader) {
   Query query{.picture = read_color(options.image)};
   const Intrinsics camera = guess_camera(query.picture.width(), query.picture.height());
   query.seen = options.mask.empty()
@@ -103,7 +103,7 @@ Query read_query(const Options& options, HandReader& reader) {
   throw Error({.file = options.image, .expected = "a hand", .found = "none"});
 }
 
-void run(const Options& options) {
+void run(const QueryArguments& options) {
   const Database database = Database::open(options.database);
   HandReader reader(database, {}, options.search);
   const Query query = read_query(options, reader);
@@ -119,7 +119,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_query(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<QueryArguments>();
   CLI::App* verb = app.add_subcommand("query", "List the rows nearest to the hand in one picture");
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("IMAGE", options->image, "A picture with a right hand")->required();

@@ -16,7 +16,7 @@
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct RenderArguments {
   BuildConfig config;
   int grasp = 0, step = BuildConfig{}.steps, view = 0;
   bool free = false;
@@ -31,7 +31,7 @@ struct Rendered {
   ViewSource source;
 };
 
-BuildConfig config_of(const Options& options) {
+BuildConfig config_of(const RenderArguments& options) {
   BuildConfig config = options.config;
   config.hands = {options.hand.empty() ? default_hand_file() : std::filesystem::path(options.hand)};
   if (config.grasps.empty()) config.grasps = grasp_directory();
@@ -47,7 +47,7 @@ void check_place(const char* option, std::size_t value, std::size_t low, std::si
                .found = fmt::format("{}", value)});
 }
 
-Rendered render_grasp(const Options& options) {
+Rendered render_grasp(const RenderArguments& options) {
   BuildConfig config = config_of(options);
   config.only = {options.grasp};
   const auto step = static_cast<std::size_t>(options.step);
@@ -70,7 +70,7 @@ Rendered render_grasp(const Options& options) {
            .view = view}};
 }
 
-Rendered render_pose(const Options& options) {
+Rendered render_pose(const RenderArguments& options) {
   const BuildConfig config = config_of(options);
   check_config(config);
   const PoseFile pose = load_pose(options.pose);
@@ -84,7 +84,7 @@ Rendered render_pose(const Options& options) {
   return {subject.seen(camera, config.light, kAllLayers), {.hand = hand.name, .variant = "free"}};
 }
 
-Rendered render_row(const Options& options) {
+Rendered render_row(const RenderArguments& options) {
   const Database database = Database::open(options.database);
   if (options.row >= database.rows()) {
     throw Error({options.database, "--row", fmt::format("less than {}", database.rows()),
@@ -114,7 +114,7 @@ std::string title_of(const ViewSource& source) {
                      source.variant);
 }
 
-void run(const Options& options) {
+void run(const RenderArguments& options) {
   const Rendered rendered = !options.database.empty() ? render_row(options)
                             : !options.pose.empty()   ? render_pose(options)
                                                       : render_grasp(options);
@@ -125,7 +125,7 @@ void run(const Options& options) {
 }
 
 // The three ways to say what is to be seen; each excludes the options of the others.
-void add_sources(CLI::App& verb, Options& options) {
+void add_sources(CLI::App& verb, RenderArguments& options) {
   CLI::App* sources = verb.add_option_group("What is to be seen, one of");
   CLI::Option* grasp = sources->add_option("--grasp", options.grasp, "A grasp's number")
                            ->check(CLI::Range(1, 65535));
@@ -143,7 +143,7 @@ void add_sources(CLI::App& verb, Options& options) {
 }
 
 // What a database states itself.
-void add_scene(CLI::App& verb, Options& options) {
+void add_scene(CLI::App& verb, RenderArguments& options) {
   CLI::Option* database = verb.get_option("--db");
   const auto add = [&](const char* name, auto& value, const char* text) {
     return verb.add_option(name, value, text)->excludes(database);
@@ -163,7 +163,7 @@ void add_scene(CLI::App& verb, Options& options) {
 }  // namespace
 
 void add_render(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderArguments>();
   CLI::App* verb = app.add_subcommand("render", "Write one view as pictures and labels");
   add_sources(*verb, *options);
   add_scene(*verb, *options);

@@ -10,14 +10,14 @@
 namespace graspdb::cli {
 namespace {
 
-struct Options {
+struct SequenceArguments {
   std::string file, out, meshes, hand;
   std::optional<double> fps;
   SequenceNoise noise;
   bool close = false;
 };
 
-SequenceSpec load(const Options& options) {
+SequenceSpec load(const SequenceArguments& options) {
   SequenceSpec spec = load_sequence(options.file, options.hand);
   if (options.fps) spec.frames_per_second = *options.fps;
   return spec;
@@ -32,7 +32,7 @@ void keep_closed(const SequenceSpec& spec) {
 }  // namespace
 
 void add_sequence(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SequenceArguments>();
   CLI::App* verb =
       app.add_subcommand("sequence", "Render an evaluation sequence with ground truth");
   verb->add_option("SEQ", options->file, "The sequence's .toml file")->required();

@@ -11,6 +11,7 @@
 #include "graspdb/core/opencv/opencv_image.h"
 #include "graspdb/evaluation/evaluate.h"
 #include "graspdb/evaluation/tables.h"
+#include "graspdb/generator/build_config.h"
 #include "graspdb/pictures/estimate_picture.h"
 #include "graspdb/pictures/overlay.h"
 #include "graspdb/tracker/estimate_json.h"
@@ -37,7 +38,7 @@ void end_loop_on_signals() {
   for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
 }
 
-struct Options {
+struct TrackArguments {
   std::string database, input, masks, json, video;
   std::string handedness = "right";
   TrackerSettings tracker;
@@ -47,7 +48,7 @@ struct Options {
   bool show = false;
 };
 
-ReaderOptions reader_options(const Options& options) {
+ReaderOptions reader_options(const TrackArguments& options) {
   ReaderOptions reader{.tracker = options.tracker.options(), .skin = options.skin};
   reader.left_hand = options.handedness == "left";
   const std::vector<int>& roi = options.roi;
@@ -55,14 +56,32 @@ ReaderOptions reader_options(const Options& options) {
   return reader;
 }
 
+// What `build --preset tracking` has and this database has not.
+void tell_what_is_lacking(const Database& database) {
+  const auto& variants = database.info().variants;
+  const bool has_free = std::ranges::any_of(
+      variants, [](const std::string& variant) { return variant.starts_with("free"); });
+  const BuildConfig config = load_config(database.path());
+  if (!has_free)
+    fmt::print(stderr, "the database has no hands without objects: empty hands are read badly\n");
+  if (config.jitter.visible_forearm_mm == 0) {
+    fmt::print(stderr,
+               "the database has one length of forearm: hands with sleeves or long arms are read "
+               "badly\n");
+  }
+  if (!has_free || config.jitter.visible_forearm_mm == 0)
+    fmt::print(stderr, "`graspdb build --preset tracking` makes one for tracking\n");
+}
+
 // Everything that one run of the verb keeps between frames.
 class Run {
  public:
-  explicit Run(const Options& options)
+  explicit Run(const TrackArguments& options)
       : options_(options),
         source_(open_source(options.input, options.masks)),
         database_(Database::open(options.database)),
         reader_(database_, reader_options(options), options.tracker.search) {
+    tell_what_is_lacking(database_);
     if (!options.json.empty()) json_.emplace(options.json);
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
     if (video_ || options.show) answer_.emplace(database_, options.handedness == "left");
@@ -171,7 +190,7 @@ class Run {
     fmt::print("{}", error_table({{options_.tracker.temporal, summarize(errors_)}}, base));
   }
 
-  const Options& options_;
+  const TrackArguments& options_;
   std::unique_ptr<FrameSource> source_;
   Database database_;
   HandReader reader_;
@@ -195,7 +214,7 @@ std::string check_video(const std::string& file) {
   return well ? "" : fmt::format("{}: only .mp4 is written", file);
 }
 
-void check_together(const Options& options) {
+void check_together(const TrackArguments& options) {
   if (!options.roi.empty() && (options.roi[2] <= 0 || options.roi[3] <= 0))
     throw CLI::ValidationError("--roi", "width and height must be more than 0");
   if (options.focal_px > 0 && is_sequence(options.input))
@@ -205,7 +224,7 @@ void check_together(const Options& options) {
 }  // namespace
 
 void add_track(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TrackArguments>();
   CLI::App* verb = app.add_subcommand("track", "Read a hand's pose from video");
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("INPUT", options->input,

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Options {
+struct TuneArguments {
   std::string database, trackers, search = kDefaultSearch;
   SequenceSetOptions set;
   NoiseOptions noise{.alphas = {0, 1}};
@@ -83,7 +83,7 @@ json mean_errors(const SequenceEvaluation& sequence, std::size_t tracker, std::s
           {"joint_deg", joints / count}};
 }
 
-void run(const Options& options) {
+void run(const TuneArguments& options) {
   const Database database = Database::open(options.database);
   const EvalOptions settings{.trackers = read_trackers(options.trackers),
                              .alphas = options.noise.alphas,
@@ -111,7 +111,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_tune(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TuneArguments>();
   CLI::App* verb =
       app.add_subcommand("tune", "Errors of many trackers over the same sequences, a line each");
   verb->group("");  // for scripts/tune.py

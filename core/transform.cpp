@@ -40,6 +40,10 @@ Eigen::Matrix3d axis_rotation(int axis, double angle) {
   return Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
 }
 
+Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to);
+}
+
 double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   // ||a - b||_F = 2 sqrt(2) sin(angle / 2); unlike the trace it keeps small angles exact.
   return 2 * std::asin(std::min(1.0, (a - b).norm() / (2 * std::sqrt(2.0))));

@@ -7,6 +7,7 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/random.h"
+#include "nan.h"
 
 namespace graspdb {
 namespace {
@@ -25,7 +26,6 @@ Interval bootstrap_mean(const std::vector<double>& per_sequence, std::uint64_t s
   std::vector<double> values;
   std::copy_if(per_sequence.begin(), per_sequence.end(), std::back_inserter(values),
                [](double value) { return !std::isnan(value); });
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   if (values.empty()) return {kNan, kNan, kNan, 0};
   double sum = 0;
   for (double value : values) sum += value;

@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "graspdb/core/error.h"
+#include "nan.h"
 
 namespace graspdb {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNoisyAlpha = 2;  // percent, up to which the paper's error hardly rises
 
 using Sequences = std::vector<SequenceEvaluation>;

@@ -9,11 +9,11 @@
 #include "graspdb/core/error.h"
 #include "graspdb/core/transform.h"
 #include "graspdb/tracker/pose_vector.h"
+#include "nan.h"
 
 namespace graspdb {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kWrist = 0, kMiddleMcp = 9;
 
 constexpr std::array<MetricInfo, kRunMetricCount> kMetrics = {{

@@ -11,12 +11,12 @@
 #include "graspdb/core/transform.h"
 #include "graspdb/evaluation/baselines.h"
 #include "graspdb/tracker/pose_vector.h"
+#include "nan.h"
 
 namespace graspdb {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMovingJoints = kKeypointCount - 1;
 constexpr std::array<int, kKeypointCount> kTipsFirst = {12, 4,  20, 8,  16, 11, 3,  19, 7,  15, 10,
                                                         2,  18, 6,  14, 9,  1,  17, 5,  13, 0};

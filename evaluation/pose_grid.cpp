@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <tuple>
 
 #include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
 #include "graspdb/hand/label.h"
 
 namespace graspdb {
@@ -72,8 +72,7 @@ Pose PoseGrid::seen(std::size_t pose, std::size_t view, const Pose& truth) const
 }
 
 Eigen::Matrix3d turn_to_palm(const Pose& truth) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), palm_center(truth.joints))
-      .toRotationMatrix();
+  return rotation_between(Eigen::Vector3d::UnitZ(), palm_center(truth.joints)).toRotationMatrix();
 }
 
 }  // namespace graspdb

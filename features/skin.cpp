@@ -11,31 +11,31 @@
 namespace graspdb {
 namespace {
 
-using Histogram = std::array<double, 256>;
+using GrayShares = std::array<double, 256>;
 
 constexpr int kNeutral = 128;  // a* and b* of grey
 
 // Four counts, because neighbours are alike and who adds to a number waits for who did just before.
-Histogram histogram_of(const cv::Mat& image) {
+GrayShares shares_of(const cv::Mat& image) {
   std::array<std::array<int, 256>, 4> counts{};
   for (int y = 0; y < image.rows; ++y) {
     const std::uint8_t* row = image.ptr(y);
     for (int x = 0; x < image.cols; ++x) ++counts[x % 4U][row[x]];
   }
-  Histogram histogram{};
+  GrayShares histogram{};
   for (const auto& count : counts) {
     for (std::size_t level = 0; level < 256; ++level) histogram[level] += count[level];
   }
   return histogram;
 }
 
-double count_above(const Histogram& histogram, int level) {
+double count_above(const GrayShares& histogram, int level) {
   return std::accumulate(histogram.begin() + level + 1, histogram.end(), 0.0);
 }
 
 // The level that splits what lies above `floor` into two classes with the largest variance between
 // them (Otsu 1979); `floor` itself when there is nothing to split.
-int otsu_level(const Histogram& histogram, int floor) {
+int otsu_level(const GrayShares& histogram, int floor) {
   double count = 0, sum = 0;
   for (int level = floor + 1; level < 256; ++level) {
     count += histogram[static_cast<std::size_t>(level)];
@@ -58,7 +58,7 @@ int otsu_level(const Histogram& histogram, int floor) {
 }
 
 int redness_level(const cv::Mat& redness, const SkinOptions& options) {
-  const Histogram histogram = histogram_of(redness);
+  const GrayShares histogram = shares_of(redness);
   const double most = options.max_share * static_cast<double>(redness.total());
   int level = otsu_level(histogram, -1);
   while (count_above(histogram, level) > most) {

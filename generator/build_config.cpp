@@ -2,6 +2,7 @@
 #include "graspdb/generator/build_config.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +11,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
@@ -265,6 +267,20 @@ BuildConfig load_config(const fs::path& path) {
   const BuildConfig whole{.jitter = {.light_deg = root.contains("jitter") ? 1.0 : 0.0}};
   require_keys(root, json::parse(config_to_json(whole)), "config", path.string());
   return config;
+}
+
+fs::path preset_file(const std::string& name) {
+  const fs::path folder = data_directory() / "assets/presets";
+  std::set<std::string> known;
+  std::error_code none;  // an absent folder has no presets
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (entry.path().extension() == ".toml") known.insert(entry.path().stem().string());
+  }
+  if (known.contains(name)) return folder / (name + ".toml");
+  throw Error({.file = folder.string(),
+               .key = "preset",
+               .expected = fmt::format("{}", fmt::join(known, ", ")),
+               .found = name});
 }
 
 }  // namespace graspdb

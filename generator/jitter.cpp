@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -72,7 +71,7 @@ Light JitterDraw::light(const Light& stated, std::size_t view) const {
   const double cosine = random.uniform(std::cos(radians(jitter_.light_deg)), 1);
   const double azimuth = random.uniform(0, 2 * kPi), radius = std::sqrt(1 - cosine * cosine);
   const Eigen::Vector3d in_cone(radius * std::cos(azimuth), radius * std::sin(azimuth), cosine);
-  const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), towards);
+  const auto turn = rotation_between(Eigen::Vector3d::UnitZ(), towards);
   Light light = stated;
   light.towards_light_in_camera = towards.norm() * (turn * in_cone);
   return light;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/generator/views.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -32,8 +31,7 @@ std::vector<Eigen::Matrix3d> rolled_directions(int directions, int count) {
   rotations.reserve(static_cast<std::size_t>(count));
   for (int direction = 0; direction < directions; ++direction) {
     const Eigen::Matrix3d camera_from_hand =
-        Eigen::Quaterniond::FromTwoVectors(fibonacci_direction(direction, directions),
-                                           Eigen::Vector3d::UnitZ())
+        rotation_between(fibonacci_direction(direction, directions), Eigen::Vector3d::UnitZ())
             .toRotationMatrix();
     const int rolls = first_of(direction + 1) - first_of(direction);
     for (int roll = 0; roll < rolls; ++roll) {

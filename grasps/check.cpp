@@ -8,6 +8,7 @@
 
 #include "crossing.h"
 #include "graspdb/core/error.h"
+#include "graspdb/core/transform.h"
 #include "graspdb/grasps/closing.h"
 #include "pose_measures.h"
 #include "skin_samples.h"
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double kGateMm = 2;
 constexpr double kCrossingMm = 0.2;
-constexpr double kMillimeter = 1000;
 constexpr double kRangeSlack = 1e-6;  // radians: closed poses are written to 1e-6 degrees
 
 using Gaps = std::array<double, kDigitCount>;
@@ -68,7 +68,7 @@ void check_sides(const Grasp& grasp, const Hand& hand, const GraspPose& closed, 
       names += (names.empty() ? "" : ", ") + area.name;
       for (const int i : skin.in_area(area)) {
         const Eigen::Vector3d& at = positions[static_cast<std::size_t>(i)];
-        gap = std::min(gap, grasp.object->distance(object_from_hand * at) * kMillimeter);
+        gap = std::min(gap, grasp.object->distance(object_from_hand * at) * kMillimetersPerMeter);
       }
     }
     if (names.empty() || gap <= kContactMm) continue;
@@ -124,7 +124,7 @@ void check_step(const StepCheck& step, GraspCheck& check) {
 // What has crossed the object, here or since the step before.
 void add_crossings(const CrossingDepths& here, const CrossingDepths& on_the_way, StepCheck& step) {
   for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
-    const double depth_mm = std::max(here[digit], on_the_way[digit]) * kMillimeter;
+    const double depth_mm = std::max(here[digit], on_the_way[digit]) * kMillimetersPerMeter;
     if (depth_mm > kCrossingMm) step.crossed.emplace_back(kDigitNames[digit]);
     step.crossing_mm = std::max(step.crossing_mm, depth_mm);
   }

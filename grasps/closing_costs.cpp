@@ -9,8 +9,6 @@
 namespace graspdb {
 namespace {
 
-constexpr double kMillimeter = 1000;
-
 // Pulls hard when near and evenly when far, so that one phalanx that cannot reach does not pull the
 // object out of the hand.
 double robust_gap(double gap_mm) {
@@ -54,7 +52,8 @@ void ClosingProblem::add_contacts(const Posed& posed, Costs& r) const {
       gap = std::min(gap, posed.distance[static_cast<std::size_t>(i)]);
       center += posed.in_object[static_cast<std::size_t>(i)] / static_cast<double>(samples.size());
     }
-    r.push_back((is_pulp(area) ? kPulpWeight : 1) * robust_gap((gap - kGoal) * kMillimeter));
+    r.push_back((is_pulp(area) ? kPulpWeight : 1) *
+                robust_gap((gap - kGoal) * kMillimetersPerMeter));
     const Eigen::Vector3d facing =
         posed.object_from_hand.rotation *
         (posed.bones[static_cast<std::size_t>(area.bone)].rotation * outward(area.side));
@@ -66,7 +65,7 @@ void ClosingProblem::add_penetration(const Posed& posed, Costs& r) const {
   constexpr double kSoftTissue = 0.5e-3;  // metres
   constexpr double kWeight = 3;
   for (const double distance : posed.distance) {
-    r.push_back(kWeight * std::max(0.0, -distance - kSoftTissue - give_) * kMillimeter);
+    r.push_back(kWeight * std::max(0.0, -distance - kSoftTissue - give_) * kMillimetersPerMeter);
   }
 }
 
@@ -77,7 +76,7 @@ void ClosingProblem::add_free_digits(const Posed& posed, Costs& r) const {
     for (std::size_t i = 0; i < posed.distance.size(); ++i) {
       if (skin_.samples()[i].digit == digit) gap = std::min(gap, posed.distance[i]);
     }
-    r.push_back((kClearance - gap) * kMillimeter);
+    r.push_back((kClearance - gap) * kMillimetersPerMeter);
   }
 }
 
@@ -88,7 +87,7 @@ void ClosingProblem::add_overlaps(const Posed& posed, Costs& r) const {
   for (const auto& [a, b] : pairs_) {
     const double overlap = -graspdb::distance(capsules[static_cast<std::size_t>(a)],
                                               capsules[static_cast<std::size_t>(b)]);
-    r.push_back(kWeight * std::max(0.0, overlap + kMargin - give_) * kMillimeter);
+    r.push_back(kWeight * std::max(0.0, overlap + kMargin - give_) * kMillimetersPerMeter);
   }
 }
 

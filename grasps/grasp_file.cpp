@@ -163,12 +163,12 @@ void read_object(const TomlTable& table, Grasp& grasp) {
   table.finish();
 }
 
-constexpr double kRangeSlack = 1e-9;
+constexpr double kWrittenSlack = 1e-9;
 
 void require_faded_ranges(const TomlTable& table, const JointAngles& angles) {
   const JointAngles clamped = clamp_to_range(angles);
   for (int i = 0; i < kAngleCount; ++i) {
-    if (std::abs(angles[i] - clamped[i]) <= kRangeSlack) continue;
+    if (std::abs(angles[i] - clamped[i]) <= kWrittenSlack) continue;
     table.fail(angle_info(i).name,
                "at most " + std::to_string(degrees(clamped[i])) + " degrees at this flexion",
                std::to_string(degrees(angles[i])));

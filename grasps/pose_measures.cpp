@@ -13,7 +13,6 @@
 namespace graspdb {
 namespace {
 
-constexpr double kMillimeter = 1000;
 constexpr double kSampleSpacing = 0.002;  // metres, on the object
 constexpr double kReach = 0.05;           // metres: nothing of a hand is thicker than twice this
 
@@ -55,7 +54,7 @@ std::array<double, kDigitCount> gaps_mm(const Scenery& scenery, const std::vecto
   for (std::size_t v = 0; v < digit.size(); ++v) {
     if (digit[v] < 0) continue;
     double& gap = gaps[static_cast<std::size_t>(digit[v])];
-    gap = std::min(gap, scenery.to_object[v] * kMillimeter);
+    gap = std::min(gap, scenery.to_object[v] * kMillimetersPerMeter);
   }
   return gaps;
 }
@@ -187,7 +186,7 @@ double PoseMeasures::deepest_overlap(const Mesh& skin) const {
 std::vector<std::string> PoseMeasures::touching_bones(const std::vector<double>& to_object) const {
   std::set<std::uint8_t> touching;
   for (std::size_t v = 0; v < bones_.size(); ++v) {
-    if (to_object[v] * kMillimeter <= kContactMm) touching.insert(bones_[v]);
+    if (to_object[v] * kMillimetersPerMeter <= kContactMm) touching.insert(bones_[v]);
   }
   std::vector<std::string> names;
   names.reserve(touching.size());
@@ -203,12 +202,12 @@ PoseMeasures::Measured PoseMeasures::measure(const Grasp& grasp, const GraspPose
   const double penetration = std::max({0.0, skin_depth, object_depth});
   Measured measured;
   StepCheck& step = measured.step;
-  step.penetration_mm = penetration * kMillimeter;
+  step.penetration_mm = penetration * kMillimetersPerMeter;
   if (penetration > 0) {
     step.volume_cm3 = shared_volume(grasp, scenery, in_hand, pose, penetration) * 1e6;
   }
-  step.self_penetration_mm = deepest_overlap(scenery.skin) * kMillimeter;
-  step.clearance_mm = std::max(0.0, -skin_depth) * kMillimeter;
+  step.self_penetration_mm = deepest_overlap(scenery.skin) * kMillimetersPerMeter;
+  step.clearance_mm = std::max(0.0, -skin_depth) * kMillimetersPerMeter;
   step.contacts = touching_bones(scenery.to_object);
   step.at_limits = angles_at_limits(pose.angles);
   measured.crossed = crossed_skin(grasp, hand_, pose, scenery.skin, digit_);

@@ -12,7 +12,7 @@
 namespace graspdb {
 namespace {
 
-constexpr int kTile = 300;  // pixels
+constexpr int kSideTile = 300;  // pixels
 constexpr int kStepTile = 180;
 constexpr int kPageTile = 230;
 
@@ -25,17 +25,17 @@ const Side kFromBelow = {"from below", {0.45, 0.35, 0.9}, {0, 1, 0}};
 ColorImage draw_grasp_sheet(const Hand& hand, const Grasp& grasp, const JointAngles& rest,
                             const GraspPose& closed) {
   constexpr int kColumns = 3, kTitle = 30;
-  constexpr int kStepsTop = kTitle + 2 * kTile;
-  Page page(kColumns * kTile, kStepsTop + kStepTile);
+  constexpr int kStepsTop = kTitle + 2 * kSideTile;
+  Page page(kColumns * kSideTile, kStepsTop + kStepTile);
   const ModelView model(hand, closed, grasp.object.get());
   const std::array<Side, 6> around = {sides::kPalm,       sides::kThumb,
                                       sides::kBack,       sides::kLittleFinger,
                                       sides::kFingerTips, sides::kThumbAndPalm};
   for (int i = 0; i < static_cast<int>(around.size()); ++i) {
     const Side& side = around[static_cast<std::size_t>(i)];
-    const int x = i % kColumns * kTile, y = kTitle + i / kColumns * kTile;
-    page.place(model.seen(side, kTile), x, y);
-    page.write(side.name, x + 8, y + kTile - 8);
+    const int x = i % kColumns * kSideTile, y = kTitle + i / kColumns * kSideTile;
+    page.place(model.seen(side, kSideTile), x, y);
+    page.write(side.name, x + 8, y + kSideTile - 8);
   }
   for (int step = 1; step <= kStepCount; ++step) {
     const ModelView stepped(hand, pose_at_step(grasp, rest, closed, step), grasp.object.get());

@@ -12,7 +12,7 @@
 namespace graspdb {
 namespace {
 
-constexpr int kTile = 260;  // pixels
+constexpr int kPoseTile = 260;  // pixels
 constexpr int kAngleTile = 150;
 constexpr double kShownRadians = radians(20);
 
@@ -71,18 +71,18 @@ ColorImage draw_hand_sheet(const Hand& hand) {
   constexpr int kTitle = 22;
   const std::array<Side, 4> around = {sides::kPalm, sides::kThumb, sides::kBack,
                                       sides::kLittleFinger};
-  Page page(kTile * static_cast<int>(around.size()),
-            (kTile + kTitle) * static_cast<int>(kNamedPoses.size()));
+  Page page(kPoseTile * static_cast<int>(around.size()),
+            (kPoseTile + kTitle) * static_cast<int>(kNamedPoses.size()));
   int y = 0;
   for (const std::string_view pose : kNamedPoses) {
     const ModelView model = bare(hand, named_pose(pose));
     int x = 0;
     for (const Side& side : around) {
-      page.place(model.seen(side, kTile), x, y + kTitle);
+      page.place(model.seen(side, kPoseTile), x, y + kTitle);
       page.write(fmt::format("{}, {}", pose, side.name), x + 8, y + 16);
-      x += kTile;
+      x += kPoseTile;
     }
-    y += kTile + kTitle;
+    y += kPoseTile + kTitle;
   }
   return page.image();
 }

@@ -16,17 +16,17 @@
 namespace graspdb {
 namespace {
 
-constexpr int kTile = 144;  // pixels
+constexpr int kRowTile = 144;  // pixels
 constexpr int kGap = 10;
 constexpr int kCaption = 30;
 constexpr int kTitle = 26;
 
 using Mat = cv::Mat_<cv::Vec3b>;
 
-Mat tile(ColorImage picture) {
+Mat row_picture(ColorImage picture) {
   Mat scaled;
-  const int method = picture.width() < kTile ? cv::INTER_LINEAR : cv::INTER_AREA;
-  cv::resize(as_mat(picture), scaled, {kTile, kTile}, 0, 0, method);
+  const int method = picture.width() < kRowTile ? cv::INTER_LINEAR : cv::INTER_AREA;
+  cv::resize(as_mat(picture), scaled, {kRowTile, kRowTile}, 0, 0, method);
   return scaled;
 }
 
@@ -37,7 +37,7 @@ struct Tile {
 
 Tile row_tile(const Database& database, const DatabaseRows& rows, std::size_t row) {
   const LabelledView view = rows.view(rows.subject(row), row, {});
-  return {tile(colored(view.picture)),
+  return {row_picture(colored(view.picture)),
           fmt::format("grasp {} step {} view {}", database.grasp(row), database.step(row),
                       database.view(row)),
           fmt::format("row {} {}", row, database.info().variants[database.variant(row)])};
@@ -52,15 +52,15 @@ std::size_t columns_for(std::size_t tiles) {
 ColorImage draw_page(const std::vector<Tile>& tiles, const std::string& title) {
   const std::size_t columns = columns_for(tiles.size());
   const std::size_t lines = (tiles.size() + columns - 1) / columns;
-  Page page(static_cast<int>(columns) * (kTile + kGap),
-            kTitle + static_cast<int>(lines) * (kTile + kCaption));
+  Page page(static_cast<int>(columns) * (kRowTile + kGap),
+            kTitle + static_cast<int>(lines) * (kRowTile + kCaption));
   page.write(title, 6, 18);
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const int x = static_cast<int>(i % columns) * (kTile + kGap);
-    const int y = kTitle + static_cast<int>(i / columns) * (kTile + kCaption);
+    const int x = static_cast<int>(i % columns) * (kRowTile + kGap);
+    const int y = kTitle + static_cast<int>(i / columns) * (kRowTile + kCaption);
     page.place(tiles[i].picture, x, y);
-    page.write_small(tiles[i].upper, x + 6, y + kTile + 11);
-    page.write_small(tiles[i].lower, x + 6, y + kTile + 24);
+    page.write_small(tiles[i].upper, x + 6, y + kRowTile + 11);
+    page.write_small(tiles[i].lower, x + 6, y + kRowTile + 24);
   }
   return page.image();
 }
@@ -75,7 +75,7 @@ ColorImage draw_row_sheet(const Database& database, std::span<const std::size_t>
   const DatabaseRows rows(database, chosen);
   const std::size_t before = first.empty() ? 0 : 1;
   std::vector<Tile> tiles(before + chosen.size());
-  if (before > 0) tiles[0] = {tile(first), "the picture", "its nearest rows follow"};
+  if (before > 0) tiles[0] = {row_picture(first), "the picture", "its nearest rows follow"};
   parallel_for(chosen.size(), 0,
                [&](std::size_t i) { tiles[before + i] = row_tile(database, rows, chosen[i]); });
   return draw_page(tiles, title);

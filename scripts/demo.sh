@@ -22,8 +22,7 @@ graspdb=$build/cli/graspdb
 out=out/demo
 mkdir -p "$out"
 
-# Free rows too, so that empty hands are known; forearms of any length, as sleeves leave them (docs/tracking.md).
-"$graspdb" build --objects both --jitter-forearm 185 --jitter-copies 2 --out "$out/hands.graspdb"
+"$graspdb" build --preset tracking --out "$out/hands.graspdb"
 "$graspdb" verify "$out/hands.graspdb"
 "$graspdb" grasp sheet --all --out "$out/grasps.png"
 
@@ -41,7 +40,6 @@ for sequence in bottle box; do
     "$graspdb" eval "$out/hands.graspdb" --sequences "sequences/test/$sequence.seq.toml" --alphas 0 \
         | tee -a "$out/$sequence.txt"
 done
-"$graspdb" index "$out/hands.graspdb" --method lsh
 "$graspdb" bench "$out/hands.graspdb"
 echo "grasps: $out/grasps.png"
 echo "frames, masks and truth: $out/bottle $out/box"

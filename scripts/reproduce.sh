@@ -24,9 +24,9 @@ mkdir -p "$out"
 alphas=0,0.25,0.5,1,2,4
 python=/usr/bin/python3
 
-build() { "$graspdb" build --objects "$1" --jitter-forearm 185 --jitter-copies 2 --out "$databases/$2.graspdb"; }
+build() { "$graspdb" build --preset tracking --objects "$1" --out "$databases/$2.graspdb"; }
 evaluate() { # DATABASE OUT OPTIONS...
-    "$graspdb" eval "$databases/$1.graspdb" --sequences "sequences/$set" --out "$2" "${@:3}"
+    "$graspdb" eval "$databases/$1.graspdb" --search exact --sequences "sequences/$set" --out "$2" "${@:3}"
 }
 
 build both hands

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "placement.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
+
+#include "graspdb/core/transform.h"
 
 namespace graspdb {
 
@@ -21,8 +22,7 @@ Placement place(const Box& observed, const Intrinsics& camera, const BoxTangents
   // it.
   const double enlarged = std::pow(ray.z(), -1.5);
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  return {Eigen::Quaterniond::FromTwoVectors(axis, ray).toRotationMatrix(),
-          ray * (row_distance * enlarged / scale)};
+  return {rotation_between(axis, ray).toRotationMatrix(), ray * (row_distance * enlarged / scale)};
 }
 
 double log_stretch(const Box& observed, const Intrinsics& camera, const BoxTangents& row_box) {

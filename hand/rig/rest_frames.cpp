@@ -10,10 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::size_t at(int bone) {
-  return static_cast<std::size_t>(bone);
-}
-
 RigidTransform hand_from_file(const RestJoints& joints) {
   const auto from_wrist = [&](int finger) -> Vector3d {
     return joints.origins[at(finger_bone(finger, kProximal))] - joints.origins[kPalm];

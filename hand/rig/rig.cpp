@@ -8,6 +8,7 @@
 #include "graspdb/core/file.h"
 #include "rebind.h"
 #include "rest_frames.h"
+#include "rig_fault.h"
 #include "rig_file.h"
 #include "rig_joints.h"
 #include "rig_map.h"
@@ -16,11 +17,6 @@
 
 namespace graspdb {
 namespace {
-
-[[noreturn]] void fail(const RigMap& map, const RigFile& file, const std::string& key,
-                       const std::string& expected, const std::string& found) {
-  throw Error({map.file, key, expected, found + " in " + file.path});
-}
 
 // Knuckles and the joints beyond them lie in a row, whatever a hand does at rest.
 void check_order(const RestFrames& frames, const RigMap& map, const RigFile& file) {

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "graspdb/core/error.h"
+#include "rig_fault.h"
 
 namespace graspdb {
 namespace {
@@ -20,10 +21,6 @@ constexpr double kLargestRestBend = radians(150);
 // A metacarpal that a rig lacks begins here between wrist and knuckle: .26 to .30 in our hands, .33
 // in WebXR's.
 constexpr double kCmcShare = .3;
-
-std::size_t at(int bone) {
-  return static_cast<std::size_t>(bone);
-}
 
 int first_bone(int digit) {
   return digit == 0 ? kThumbMetacarpal : finger_bone(digit - 1, kProximal);
@@ -49,7 +46,7 @@ class JointReader {
  private:
   [[noreturn]] void fail(const std::string& key, const std::string& expected,
                          const std::string& found) const {
-    throw Error({map_.file, key, expected, found + " in " + file_.path});
+    graspdb::fail(map_, file_, key, expected, found);
   }
 
   Vector3d joint(const std::string& name, const std::string& key) const {

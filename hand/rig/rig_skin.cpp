@@ -6,18 +6,14 @@
 #include <algorithm>
 
 #include "graspdb/core/error.h"
+#include "rig_fault.h"
 #include "rig_joints.h"
 
 namespace graspdb {
 namespace {
 
-constexpr double kSmallestWeight = 1e-6;
+constexpr double kSmallestShare = 1e-6;
 constexpr float kFarthestSkinM = .6F;  // from the wrist: an arm to beyond the elbow
-
-[[noreturn]] void fail(const RigMap& map, const RigFile& file, const std::string& key,
-                       const std::string& expected, const std::string& found) {
-  throw Error({map.file, key, expected, found + " in " + file.path});
-}
 
 void check_reach(const RigMap& map, const RigFile& file, const Mesh& skin_in_hand) {
   for (std::size_t v = 0; v < skin_in_hand.vertices.size(); ++v) {
@@ -46,7 +42,7 @@ SkinWeights four_largest(const PerBone<double>& weights) {
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) sum += weights[order[i]];
   SkinWeights skin;
-  for (std::size_t i = 0; i < 4 && weights[order[i]] > kSmallestWeight; ++i) {
+  for (std::size_t i = 0; i < 4 && weights[order[i]] > kSmallestShare; ++i) {
     skin.bone[i] = order[i];
     skin.weight[i] = static_cast<float>(weights[order[i]] / sum);
   }

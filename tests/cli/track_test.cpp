@@ -103,6 +103,10 @@ TEST_F(Track, WritesALineAFrameAndAVideo) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("3 frames, 3 with a hand"));
   EXPECT_THAT(outcome.err, HasSubstr("--focal"));
+  // The tiny database holds its object in every row, and has one forearm: told once.
+  EXPECT_THAT(outcome.err, HasSubstr("no hands without objects"));
+  EXPECT_THAT(outcome.err, HasSubstr("one length of forearm"));
+  EXPECT_EQ(outcome.err.find("--preset tracking"), outcome.err.rfind("--preset tracking"));
   const std::vector<json> lines = json_lines(directory_ / "new/answer.jsonl");
   ASSERT_THAT(lines, SizeIs(3));
   for (const char* key :

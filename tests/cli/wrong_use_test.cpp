@@ -44,6 +44,13 @@ TEST(WrongUse, ValuesOutOfRangeAreRefused) {
   expect_wrong_use("track db in --video overlay.avi", ".mp4");
 }
 
+TEST(WrongUse, APresetIsOneOfThoseThatThereAre) {
+  const Outcome unknown = run_program("build --out x --preset papers");
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("paper, tracking"));
+  expect_wrong_use("build --out x --preset paper --config mine.toml", "excludes");
+}
+
 TEST(WrongUse, ACameraIsANumber) {
   for (const char* camera : {"camera:", "camera:x", "camera:1x", "camera:-1"})
     expect_wrong_use(std::string("track db ") + camera, "camera:N");

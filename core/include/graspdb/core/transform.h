@@ -3,7 +3,7 @@
 // in the source frame to those in the target frame, and c_from_a = c_from_b * b_from_a.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace graspdb {
 
@@ -24,9 +24,13 @@ Eigen::Vector3d vector_from_rotation(const Eigen::Matrix3d& rotation);
 // Rotation by `angle` radians about a coordinate axis (0 = x, 1 = y, 2 = z), right-handed.
 Eigen::Matrix3d axis_rotation(int axis, double angle);
 
+// The smallest rotation that takes the direction of `from` to that of `to`; neither is zero.
+Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 // The angle in radians, 0..pi, of the rotation that takes one to the other.
 double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 
+constexpr double kMillimetersPerMeter = 1000;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double radians(double degrees) {
   return degrees * kPi / 180.0;

@@ -67,4 +67,9 @@ std::string config_to_json(const BuildConfig& config);
 // with the same keys, where an absent one means its default. Throws Error naming file and key.
 BuildConfig load_config(const std::filesystem::path& path);
 
+// A configuration that has a name: assets/presets/NAME.toml in the data directory. "paper" is what
+// BuildConfig{} is, "tracking" what the tracker works best with. Throws Error naming those that are
+// there.
+std::filesystem::path preset_file(const std::string& name);
+
 }  // namespace graspdb
