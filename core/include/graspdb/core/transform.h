@@ -24,6 +24,11 @@ Eigen::Vector3d vector_from_rotation(const Eigen::Matrix3d& rotation);
 // Rotation by `angle` radians about a coordinate axis (0 = x, 1 = y, 2 = z), right-handed.
 Eigen::Matrix3d axis_rotation(int axis, double angle);
 
+// The rotation whose axis `axis` (as above) lies along `first`, and whose next one (after z comes
+// x) lies as near to `second` as that allows. Neither is 0, nor are they parallel.
+Eigen::Matrix3d rotation_from_axes(int axis, const Eigen::Vector3d& first,
+                                   const Eigen::Vector3d& second);
+
 // The angle in radians, 0..pi, of the rotation that takes one to the other.
 double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 
