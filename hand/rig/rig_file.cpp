@@ -10,6 +10,7 @@
 #include <assimp/Importer.hpp>
 
 #include "graspdb/core/error.h"
+#include "graspdb/geometry/topology.h"
 
 namespace graspdb {
 namespace {
@@ -69,7 +70,7 @@ class SceneReader {
       if (face.mNumIndices != 3) continue;  // points and lines
       const Triangle t = {merged[face.mIndices[0]], merged[face.mIndices[1]],
                           merged[face.mIndices[2]]};
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) file_.mesh.triangles.push_back(t);
+      if (has_three_corners(t)) file_.mesh.triangles.push_back(t);
     }
   }
 
