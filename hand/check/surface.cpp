@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "graspdb/geometry/topology.h"
 #include "graspdb/geometry/triangle.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mesher.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/parallel.h"
