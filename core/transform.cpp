@@ -44,6 +44,16 @@ Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from, const Eigen::Ve
   return Eigen::Quaterniond::FromTwoVectors(from, to);
 }
 
+Eigen::Matrix3d rotation_from_axes(int axis, const Eigen::Vector3d& first,
+                                   const Eigen::Vector3d& second) {
+  const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+  Eigen::Matrix3d rotation;
+  rotation.col(axis) = first.normalized();
+  rotation.col(last) = rotation.col(axis).cross(second).normalized();
+  rotation.col(next) = rotation.col(last).cross(rotation.col(axis));
+  return rotation;
+}
+
 double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   // ||a - b||_F = 2 sqrt(2) sin(angle / 2); unlike the trace it keeps small angles exact.
   return 2 * std::asin(std::min(1.0, (a - b).norm() / (2 * std::sqrt(2.0))));

@@ -26,15 +26,15 @@ Mesh transformed(const Mesh& mesh, const RigidTransform& target_from_mesh) {
 Hand with_visible_forearm(Hand hand, double length) {
   GRASPDB_CHECK(length >= 0);
   const RigidTransform& hand_from_forearm = hand.hand_from_bone_at_bind[kForearm];
-  const RigidTransform forearm_from_palm = hand_from_forearm.inverse();
+  const RigidTransform forearm_from_hand = hand_from_forearm.inverse();
   double end = length;
   for (const Eigen::Vector3f& vertex : hand.bind_mesh.vertices) {
-    end = std::max(end, -(forearm_from_palm * vertex.cast<double>()).y());
+    end = std::max(end, -(forearm_from_hand * vertex.cast<double>()).y());
   }
   const Eigen::Vector3f proximal = -hand_from_forearm.rotation.col(1).cast<float>();
   for (std::size_t v = 0; v < hand.bind_mesh.vertices.size(); ++v) {
     Eigen::Vector3f& vertex = hand.bind_mesh.vertices[v];
-    Eigen::Vector3d in_forearm = forearm_from_palm * vertex.cast<double>();
+    Eigen::Vector3d in_forearm = forearm_from_hand * vertex.cast<double>();
     const double beyond = -length - in_forearm.y();
     if (beyond <= 0) continue;
     // Towards the axis, so that an arm that grows wider leaves no rim.

@@ -9,38 +9,12 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/transform.h"
+#include "graspdb/geometry/triangle.h"
 
 namespace graspdb {
 namespace {
 
 constexpr double kCell = 0.003;  // metres
-
-using Corners = std::array<Eigen::Vector3d, 3>;
-
-Corners corners(const Mesh& mesh, const Triangle& triangle) {
-  return {mesh.vertices[triangle[0]].cast<double>(), mesh.vertices[triangle[1]].cast<double>(),
-          mesh.vertices[triangle[2]].cast<double>()};
-}
-
-double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                           const Eigen::Vector3d& b) {
-  const double length2 = (b - a).squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
-  return (a + t * (b - a) - p).norm();
-}
-
-double distance_to_triangle(const Eigen::Vector3d& p, const Corners& c) {
-  const Eigen::Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
-  bool above = normal.squaredNorm() > 0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Eigen::Vector3d& a = c[i];
-    const Eigen::Vector3d& b = c[(i + 1) % 3];
-    above = above && normal.cross(b - a).dot(p - a) >= 0;
-    nearest = std::min(nearest, distance_to_segment(p, a, b));
-  }
-  return above ? std::abs(normal.normalized().dot(p - c[0])) : nearest;
-}
 
 // Adds the middles of the longest edges until none is longer than `spacing`.
 void split(const Corners& c, double spacing, std::vector<Eigen::Vector3d>& points) {
@@ -97,7 +71,8 @@ std::vector<Eigen::Vector3d> surface_points(const Mesh& mesh, double spacing) {
   GRASPDB_CHECK(spacing > 0);
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector3f& vertex : mesh.vertices) points.push_back(vertex.cast<double>());
-  for (const Triangle& triangle : mesh.triangles) split(corners(mesh, triangle), spacing, points);
+  for (const Triangle& triangle : mesh.triangles)
+    split(corners_of(mesh, triangle), spacing, points);
   return points;
 }
 
@@ -106,7 +81,7 @@ double distance_to_triangles(const Mesh& mesh, std::span<const Triangle> triangl
   double nearest = limit;
   for (const Triangle& triangle : triangles) {
     if (nearest <= enough) break;
-    const Corners c = corners(mesh, triangle);
+    const Corners c = corners_of(mesh, triangle);
     const double reach = std::max((c[1] - c[0]).norm(), (c[2] - c[0]).norm());
     if ((c[0] - point).norm() - reach >= nearest) continue;
     nearest = std::min(nearest, distance_to_triangle(point, c));
@@ -117,7 +92,7 @@ double distance_to_triangles(const Mesh& mesh, std::span<const Triangle> triangl
 double winding_number(const Mesh& mesh, std::span<const Triangle> triangles,
                       const Eigen::Vector3d& point) {
   double sum = 0;
-  for (const Triangle& triangle : triangles) sum += solid_angle(point, corners(mesh, triangle));
+  for (const Triangle& triangle : triangles) sum += solid_angle(point, corners_of(mesh, triangle));
   return sum / (4 * kPi);
 }
 
@@ -132,7 +107,7 @@ InsideTest::InsideTest(const Mesh& mesh) : mesh_(mesh) {
   rows_ = static_cast<int>((high.y() - low_.y()) / kCell) + 1;
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Corners c = corners(mesh, mesh.triangles[t]);
+    const Corners c = corners_of(mesh, mesh.triangles[t]);
     const Eigen::Vector3d from = c[0].cwiseMin(c[1]).cwiseMin(c[2]);
     const Eigen::Vector3d to = c[0].cwiseMax(c[1]).cwiseMax(c[2]);
     for (int y = column(from.y(), 1); y <= column(to.y(), 1); ++y) {
@@ -160,7 +135,7 @@ double InsideTest::depth_along_z(const Eigen::Vector3d& at) const {
   int leaving = 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (const std::uint32_t t : cells_[cell(x, y)]) {
-    const auto [height, sign] = crossing(point, corners(mesh_, mesh_.triangles[t]));
+    const auto [height, sign] = crossing(point, corners_of(mesh_, mesh_.triangles[t]));
     if (sign == 0) continue;
     if (height > 0) leaving += sign;
     nearest = std::min(nearest, std::abs(height));

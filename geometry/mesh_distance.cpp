@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "graspdb/core/error.h"
+#include "graspdb/geometry/topology.h"
 
 namespace graspdb {
 namespace {
@@ -34,10 +34,7 @@ std::vector<T> in_order(const std::vector<T>& all, const std::vector<std::uint32
 
 MeshDistance::MeshDistance(const Mesh& mesh) {
   GRASPDB_CHECK(!mesh.triangles.empty());
-  for (const Triangle& t : mesh.triangles) {
-    Corners& corners = triangles_.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.vertices[t[i]].cast<double>();
-  }
+  for (const Triangle& t : mesh.triangles) triangles_.push_back(corners_of(mesh, t));
   std::vector<std::uint32_t> order(triangles_.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   nodes_.emplace_back();
@@ -50,24 +47,22 @@ MeshDistance::MeshDistance(const Mesh& mesh) {
 std::vector<MeshDistance::Normals> MeshDistance::normals_of(const Mesh& mesh) const {
   std::vector<Normals> normals(triangles_.size());
   std::vector<Eigen::Vector3d> of_vertex(mesh.vertices.size(), Eigen::Vector3d::Zero());
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Vector3d> of_edge;
   for (std::size_t f = 0; f < triangles_.size(); ++f) {
     const Triangle& t = mesh.triangles[f];
     const Corners& c = triangles_[f];
-    normals[f].face = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
+    normals[f].face = normal_of(c).normalized();
     for (std::size_t i = 0; i < 3; ++i) {
       of_vertex[t[i]] += angle_at(c[i], c[(i + 1) % 3], c[(i + 2) % 3]) * normals[f].face;
-      of_edge.try_emplace(std::minmax(t[i], t[(i + 1) % 3]), Eigen::Vector3d::Zero())
-          .first->second += normals[f].face;
     }
   }
   for (std::size_t f = 0; f < triangles_.size(); ++f) {
-    const Triangle& t = mesh.triangles[f];
-    for (std::size_t i = 0; i < 3; ++i) {
-      normals[f].corners[i] = of_vertex[t[i]];
-      normals[f].edges[i] = of_edge.at(std::minmax(t[i], t[(i + 1) % 3]));
-    }
+    for (std::size_t i = 0; i < 3; ++i) normals[f].corners[i] = of_vertex[mesh.triangles[f][i]];
   }
+  for_each_edge(mesh.triangles, [&](Edge edge) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const TriangleSide& side : edge) sum += normals[side.triangle].face;
+    for (const TriangleSide& side : edge) normals[side.triangle].edges[side.corner] = sum;
+  });
   return normals;
 }
 
@@ -102,39 +97,18 @@ void MeshDistance::split(std::uint32_t node, std::uint32_t begin, std::span<std:
   split(first + 1, begin + half, part.subspan(half));
 }
 
-// Ericson, Real-Time Collision Detection, 5.1.5.
-MeshDistance::OnTriangle MeshDistance::nearest_on(const Corners& corners,
-                                                  const Eigen::Vector3d& p) {
-  const auto& [a, b, c] = corners;
-  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return {a, kCornerA};
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return {b, kCornerB};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {a + d1 / (d1 - d3) * ab, kEdgeAb};
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return {c, kCornerC};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {a + d2 / (d2 - d6) * ac, kEdgeCa};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) {
-    return {b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b), kEdgeBc};
-  }
-  return {a + (vb * ab + vc * ac) / (va + vb + vc), kInside};
-}
-
-const Eigen::Vector3d& MeshDistance::normal(std::uint32_t triangle, Feature feature) const {
+const Eigen::Vector3d& MeshDistance::normal(std::uint32_t triangle,
+                                            NearestOnTriangle::Part part) const {
   const Normals& normals = normals_[triangle];
-  if (feature == kInside) return normals.face;
-  const auto index = static_cast<std::size_t>(feature);
+  if (part == NearestOnTriangle::kInside) return normals.face;
+  const auto index = static_cast<std::size_t>(part);
   return index < 3 ? normals.corners[index] : normals.edges[index - 3];
 }
 
 MeshDistance::Nearest MeshDistance::nearest(const Eigen::Vector3d& point, double bound) const {
   constexpr double kSlack = 1e-9;  // a bound that is met exactly must still find its triangle
   double nearest2 = (bound + kSlack) * (bound + kSlack);
-  OnTriangle nearest{point, kInside};
+  NearestOnTriangle nearest{point, NearestOnTriangle::kInside};
   std::uint32_t triangle = 0;
   std::array<std::pair<double, std::uint32_t>, kStackSize> open;  // squared distance, node
   std::size_t count = 0;
@@ -144,7 +118,7 @@ MeshDistance::Nearest MeshDistance::nearest(const Eigen::Vector3d& point, double
     if (away2 >= nearest2) continue;
     const Node& node = nodes_[index];
     for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
-      const OnTriangle found = nearest_on(triangles_[t], point);
+      const NearestOnTriangle found = nearest_on_triangle(point, triangles_[t]);
       const double found2 = (point - found.point).squaredNorm();
       if (found2 < nearest2) nearest2 = found2, nearest = found, triangle = t;
     }
@@ -155,7 +129,7 @@ MeshDistance::Nearest MeshDistance::nearest(const Eigen::Vector3d& point, double
     open[count++] = a < b ? std::pair(b, node.first + 1) : std::pair(a, node.first);
     open[count++] = a < b ? std::pair(a, node.first) : std::pair(b, node.first + 1);
   }
-  const double side = normal(triangle, nearest.feature).dot(point - nearest.point);
+  const double side = normal(triangle, nearest.part).dot(point - nearest.point);
   return {std::copysign(std::sqrt(nearest2), side), nearest.point};
 }
 

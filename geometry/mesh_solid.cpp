@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <map>
 #include <mutex>
 #include <optional>
-#include <tuple>
 
 #include "graspdb/core/error.h"
 #include "graspdb/geometry/distance_grid.h"
 #include "graspdb/geometry/inside.h"
 #include "graspdb/geometry/mesh_distance.h"
+#include "graspdb/geometry/topology.h"
 
 namespace graspdb {
 namespace {
@@ -21,63 +20,10 @@ constexpr double kSmallest = 1e-3, kLargest = 1;  // metres, of the longest side
 constexpr double kFineCell = 1e-3, kFineMargin = 6e-3, kFineReach = 5e-3;
 constexpr double kCoarseCell = 4e-3, kCoarseMargin = 50e-3;
 
-// The surface alone: vertices with one place are one, triangles without an area are gone.
-Mesh welded(const Mesh& mesh) {
-  using Point = std::tuple<float, float, float>;
-  Mesh result;
-  std::map<Point, std::uint32_t> known;
-  std::vector<std::uint32_t> index;
-  for (const Eigen::Vector3f& v : mesh.vertices) {
-    const auto next = static_cast<std::uint32_t>(result.vertices.size());
-    const auto [place, is_new] = known.try_emplace(Point(v.x(), v.y(), v.z()), next);
-    if (is_new) result.vertices.push_back(v);
-    index.push_back(place->second);
-  }
-  for (const Triangle& t : mesh.triangles) {
-    const Triangle w = {index[t[0]], index[t[1]], index[t[2]]};
-    if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) result.triangles.push_back(w);
-  }
-  return result;
-}
-
 Eigen::AlignedBox3d bounds(const Mesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
   return box;
-}
-
-double volume(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Eigen::Matrix3d corners =
-        (Eigen::Matrix3f() << mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]])
-            .finished()
-            .cast<double>();
-    sum += corners.determinant() / 6;
-  }
-  return sum;
-}
-
-struct EdgeFaults {
-  int open = 0;     // of one triangle only
-  int twisted = 0;  // of more than two, or of two that do not face the same side
-};
-
-EdgeFaults edge_faults(const Mesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> uses;  // up and down
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-      auto& [up, down] = uses[std::minmax(a, b)];
-      ++(a < b ? up : down);
-    }
-  }
-  EdgeFaults faults;
-  for (const auto& [edge, use] : uses) {
-    if (use.first + use.second == 1) ++faults.open;
-    if (use.first > 1 || use.second > 1) ++faults.twisted;
-  }
-  return faults;
 }
 
 // Triangles whose outer side is inside the solid, as those of two pieces that cut each other.
@@ -87,13 +33,11 @@ int buried_triangles(const Mesh& mesh) {
   const InsideTest inside(mesh);
   int buried = 0;
   for (const Triangle& t : mesh.triangles) {
-    const Eigen::Vector3d a = mesh.vertices[t[0]].cast<double>();
-    const Eigen::Vector3d ab = mesh.vertices[t[1]].cast<double>() - a;
-    const Eigen::Vector3d ac = mesh.vertices[t[2]].cast<double>() - a;
-    const Eigen::Vector3d area = ab.cross(ac);
-    const double longest = std::max({ab.norm(), ac.norm(), (ab - ac).norm()});
-    if (area.norm() < longest * kSmallHeight) continue;
-    const Eigen::Vector3d outside = a + (ab + ac) / 3 + kAside * area.normalized();
+    const Corners corners = corners_of(mesh, t);
+    const Eigen::Vector3d normal = normal_of(corners);
+    if (normal.norm() < longest_side(corners) * kSmallHeight) continue;
+    const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
+    const Eigen::Vector3d outside = middle + kAside * normal.normalized();
     if (inside.depth_along_z(outside) > 0) ++buried;
   }
   return buried;
@@ -108,13 +52,13 @@ void require_solid(const Mesh& surface, const std::filesystem::path& file) {
   if (!(size >= kSmallest && size <= kLargest)) {
     fail("an object of 1 to 1000 mm (is its unit right?)", fmt::format("{:.4g} mm", size * 1000));
   }
-  const EdgeFaults faults = edge_faults(surface);
-  if (faults.open > 0) fail("a watertight surface", fmt::format("{} open edges", faults.open));
-  if (faults.twisted > 0) {
+  const EdgeCounts edges = count_edges(surface.triangles);
+  if (edges.open > 0) fail("a watertight surface", fmt::format("{} open edges", edges.open));
+  if (const std::size_t twisted = edges.crowded + edges.turned; twisted > 0) {
     fail("a surface whose triangles all face outwards",
-         fmt::format("{} edges where they disagree", faults.twisted));
+         fmt::format("{} edges where they disagree", twisted));
   }
-  if (volume(surface) <= 0) fail("triangles that face outwards", "a surface turned inside out");
+  if (volume_of(surface) <= 0) fail("triangles that face outwards", "a surface turned inside out");
   if (const int buried = buried_triangles(surface); buried > 0) {
     fail("a surface that does not cut itself", fmt::format("{} triangles inside it", buried));
   }

@@ -83,7 +83,7 @@ void ClosingProblem::add_free_digits(const Posed& posed, Costs& r) const {
 void ClosingProblem::add_overlaps(const Posed& posed, Costs& r) const {
   constexpr double kMargin = 0.3e-3;  // metres: capsules are round, fingers are not
   constexpr double kWeight = 3;
-  const PerBone<Capsule> capsules = capsules_.pose(posed.bones);
+  const PerBone<DigitCapsule> capsules = capsules_.pose(posed.bones);
   for (const auto& [a, b] : pairs_) {
     const double overlap = -graspdb::distance(capsules[static_cast<std::size_t>(a)],
                                               capsules[static_cast<std::size_t>(b)]);

@@ -11,10 +11,6 @@ constexpr int kFreeAngles = kAngleCount - kWristAngles;
 constexpr int kUnknowns = kFreeAngles + 6;
 constexpr double kTranslationUnit = 0.01;  // metres
 
-bool is_phalanx(int bone) {
-  return digit_of_bone(bone) > 0 && bone != kThumbMetacarpal;
-}
-
 bool is_distal(int bone) {
   return is_phalanx(bone) && bone % 4 == kThumbDistal % 4;
 }

@@ -3,31 +3,24 @@
 
 #include <algorithm>
 
+#include "graspdb/geometry/triangle.h"
 #include "skin_samples.h"
 
 namespace graspdb {
 namespace {
 
-double nearest_on_segment(const Eigen::Vector3d& start, const Eigen::Vector3d& end,
-                          const Eigen::Vector3d& point) {
-  const Eigen::Vector3d along = end - start;
-  const double length2 = along.squaredNorm();
-  return length2 > 0 ? std::clamp((point - start).dot(along) / length2, 0.0, 1.0) : 0.0;
-}
-
-Eigen::Vector3d point_at(const Capsule& capsule, double t) {
+Eigen::Vector3d point_at(const DigitCapsule& capsule, double t) {
   return capsule.start + t * (capsule.end - capsule.start);
 }
 
 }  // namespace
 
-double distance(const Capsule& capsule, const Eigen::Vector3d& point) {
-  const double t = nearest_on_segment(capsule.start, capsule.end, point);
-  return (point_at(capsule, t) - point).norm() - capsule.radius;
+double distance(const DigitCapsule& capsule, const Eigen::Vector3d& point) {
+  return distance_to_segment(point, capsule.start, capsule.end) - capsule.radius;
 }
 
 // Ericson, Real-Time Collision Detection, 5.1.9: nearest points of two segments.
-double distance(const Capsule& a, const Capsule& b) {
+double distance(const DigitCapsule& a, const DigitCapsule& b) {
   const Eigen::Vector3d along_a = a.end - a.start, along_b = b.end - b.start;
   const Eigen::Vector3d between = a.start - b.start;
   const double aa = along_a.squaredNorm(), bb = along_b.squaredNorm(), ab = along_a.dot(along_b);
@@ -36,20 +29,20 @@ double distance(const Capsule& a, const Capsule& b) {
   if (determinant > 1e-12 * aa * bb) {
     s = std::clamp((ab * along_b.dot(between) - bb * along_a.dot(between)) / determinant, 0.0, 1.0);
   }
-  const double t = nearest_on_segment(b.start, b.end, point_at(a, s));
-  s = nearest_on_segment(a.start, a.end, point_at(b, t));
+  const double t = share_of_way(point_at(a, s), b.start, b.end);
+  s = share_of_way(point_at(b, t), a.start, a.end);
   return (point_at(a, s) - point_at(b, t)).norm() - a.radius - b.radius;
 }
 
 DigitCapsules::DigitCapsules(const Hand& hand) {
   const std::vector<std::uint8_t> strongest = strongest_bones(hand);
   for (std::size_t bone = kThumbMetacarpal; bone < kBoneCount; ++bone) {
-    const RigidTransform bone_from_palm = hand.hand_from_bone_at_bind[bone].inverse();
+    const RigidTransform bone_from_hand = hand.hand_from_bone_at_bind[bone].inverse();
     const Eigen::Vector3d end = bone_end(hand.skeleton, static_cast<int>(bone));
     std::vector<Eigen::Vector2d> across;  // of the skin round the middle of the bone
     for (std::size_t v = 0; v < strongest.size(); ++v) {
       if (strongest[v] != bone) continue;
-      const Eigen::Vector3d p = bone_from_palm * hand.bind_mesh.vertices[v].cast<double>();
+      const Eigen::Vector3d p = bone_from_hand * hand.bind_mesh.vertices[v].cast<double>();
       if (p.y() > 0.2 * end.y() && p.y() < 0.8 * end.y()) across.emplace_back(p.x(), p.z());
     }
     if (across.empty()) continue;
@@ -66,8 +59,8 @@ DigitCapsules::DigitCapsules(const Hand& hand) {
   }
 }
 
-PerBone<Capsule> DigitCapsules::pose(const PerBone<RigidTransform>& hand_from_bone) const {
-  PerBone<Capsule> posed;
+PerBone<DigitCapsule> DigitCapsules::pose(const PerBone<RigidTransform>& hand_from_bone) const {
+  PerBone<DigitCapsule> posed;
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
     posed[bone] = {hand_from_bone[bone] * in_bone_[bone].start,
                    hand_from_bone[bone] * in_bone_[bone].end, in_bone_[bone].radius};

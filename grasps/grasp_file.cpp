@@ -133,28 +133,23 @@ std::shared_ptr<const Solid> read_solid(const TomlTable& table, Grasp& grasp) {
   return make_box(Eigen::Vector3d(size[0], size[1], size[2]) / 1000);
 }
 
-// The rotation whose z axis is `z` and whose x axis is as near to `x` as it can be.
-Eigen::Matrix3d rotation_from_axes(const TomlTable& table, const Eigen::Vector3d& z,
-                                   const Eigen::Vector3d& x) {
+Eigen::Matrix3d read_rotation(const TomlTable& table) {
+  const Eigen::Vector3d z = vector_or(table, "z_axis", Eigen::Vector3d::UnitZ(), kLargestMm);
+  const Eigen::Vector3d any =
+      std::abs(z.normalized().x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  const Eigen::Vector3d x = vector_or(table, "x_axis", any, kLargestMm);
   if (z.norm() < 1e-6) table.fail("z_axis", "a direction", "a zero vector");
-  Eigen::Matrix3d rotation;
-  rotation.col(2) = z.normalized();
-  const Eigen::Vector3d y = rotation.col(2).cross(x);
-  if (y.norm() < 1e-6) table.fail("x_axis", "a direction that differs from z_axis", "none");
-  rotation.col(1) = y.normalized();
-  rotation.col(0) = rotation.col(1).cross(rotation.col(2));
-  return rotation;
+  if (z.normalized().cross(x).norm() < 1e-6) {
+    table.fail("x_axis", "a direction that differs from z_axis", "none");
+  }
+  return rotation_from_axes(2, z, x);
 }
 
 void read_object(const TomlTable& table, Grasp& grasp) {
   grasp.object_name = table.string("name");
   grasp.object = read_solid(table, grasp);
   grasp.object_scales = table.boolean_or("scales_with_hand", false);
-  const Eigen::Vector3d z = vector_or(table, "z_axis", Eigen::Vector3d::UnitZ(), kLargestMm);
-  const Eigen::Vector3d any =
-      std::abs(z.normalized().x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d x = vector_or(table, "x_axis", any, kLargestMm);
-  grasp.start.hand_from_object.rotation = rotation_from_axes(table, z, x);
+  grasp.start.hand_from_object.rotation = read_rotation(table);
   grasp.from_contacts = table.has("from_contacts_mm") && !table.has("position_mm");
   const std::vector<double> p = table.numbers(
       grasp.from_contacts ? "from_contacts_mm" : "position_mm", 3, -kLargestMm, kLargestMm);

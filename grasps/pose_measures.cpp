@@ -122,10 +122,6 @@ double shared_volume(const Grasp& grasp, const Scenery& scenery, const InsideTes
   return static_cast<double>(shared) * kGrid * kGrid * kGrid;
 }
 
-bool is_phalanx(int bone) {
-  return digit_of_bone(bone) > 0 && bone != kThumbMetacarpal;
-}
-
 }  // namespace
 
 PoseMeasures::PoseMeasures(const Hand& hand) : hand_(hand), bones_(strongest_bones(hand)) {

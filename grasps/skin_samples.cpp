@@ -23,6 +23,10 @@ int digit_of_bone(int bone) {
   return 2 + (bone - kFirstFingerBone) / 4;
 }
 
+bool is_phalanx(int bone) {
+  return digit_of_bone(bone) > 0 && bone != kThumbMetacarpal;
+}
+
 Eigen::Vector3d bone_end(const Skeleton& skeleton, int bone) {
   GRASPDB_CHECK(bone != kForearm);
   const auto& zero = skeleton.hand_from_bone_at_zero;
@@ -44,7 +48,7 @@ Eigen::Vector3d outward(SkinSide side) {
 SkinSamples::SkinSamples(const Hand& hand, int stride) {
   const std::vector<std::uint8_t> strongest = strongest_bones(hand);
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    bone_at_bind_from_palm_[bone] = hand.hand_from_bone_at_bind[bone].inverse();
+    bone_at_bind_from_hand_[bone] = hand.hand_from_bone_at_bind[bone].inverse();
   }
   std::array<int, kDigitCount> seen{};
   for (std::size_t v = 0; v < strongest.size(); ++v) {
@@ -52,13 +56,13 @@ SkinSamples::SkinSamples(const Hand& hand, int stride) {
     if (digit < 0) continue;
     // The palm is one plate: its metacarpals bend too little to matter for what part of it this is.
     const int bone = digit == 0 ? static_cast<int>(kPalm) : strongest[v];
-    const RigidTransform& bone_from_palm = bone_at_bind_from_palm_[static_cast<std::size_t>(bone)];
+    const RigidTransform& bone_from_hand = bone_at_bind_from_hand_[static_cast<std::size_t>(bone)];
     const Eigen::Vector3d bind = hand.bind_mesh.vertices[v].cast<double>();
     const Eigen::Vector3d normal =
-        bone_from_palm.rotation * hand.bind_mesh.normals[v].cast<double>();
+        bone_from_hand.rotation * hand.bind_mesh.normals[v].cast<double>();
     if (normal.z() > kBackOfTheHand) continue;
     if (seen[static_cast<std::size_t>(digit)]++ % stride != 0) continue;
-    const double along = (bone_from_palm * bind).y() / bone_end(hand.skeleton, bone).y();
+    const double along = (bone_from_hand * bind).y() / bone_end(hand.skeleton, bone).y();
     samples_.push_back({digit, bone, along, normal, bind, hand.weights[v]});
   }
 }
@@ -78,7 +82,7 @@ std::vector<Eigen::Vector3d> SkinSamples::pose(
     const PerBone<RigidTransform>& hand_from_bone) const {
   PerBone<RigidTransform> posed_from_bind;
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    posed_from_bind[bone] = hand_from_bone[bone] * bone_at_bind_from_palm_[bone];
+    posed_from_bind[bone] = hand_from_bone[bone] * bone_at_bind_from_hand_[bone];
   }
   std::vector<Eigen::Vector3d> positions;
   positions.reserve(samples_.size());

@@ -15,6 +15,9 @@ namespace graspdb {
 // 0 palm and metacarpals of the fingers, 1 thumb with its metacarpal, 2..5 the fingers; -1 forearm.
 int digit_of_bone(int bone);
 
+// Two of the thumb's bones and three of each finger's.
+bool is_phalanx(int bone);
+
 // Where the next joint or the tip of a bone lies, in the bone's frame. The forearm has none.
 Eigen::Vector3d bone_end(const Skeleton& skeleton, int bone);
 
@@ -40,7 +43,7 @@ class SkinSamples {
   std::vector<Eigen::Vector3d> pose(const PerBone<RigidTransform>& hand_from_bone) const;
 
  private:
-  PerBone<RigidTransform> bone_at_bind_from_palm_;
+  PerBone<RigidTransform> bone_at_bind_from_hand_;
   std::vector<Sample> samples_;
 };
 

@@ -20,11 +20,7 @@ void lay_chain(std::size_t first_bone, std::size_t digit, const Eigen::Matrix3d&
 }  // namespace
 
 Eigen::Matrix3d frame_along(const Eigen::Vector3d& y, const Eigen::Vector3d& z) {
-  Eigen::Matrix3d frame;
-  frame.col(1) = y.normalized();
-  frame.col(0) = frame.col(1).cross(z).normalized();
-  frame.col(2) = frame.col(0).cross(frame.col(1));
-  return frame;
+  return rotation_from_axes(1, y, z);
 }
 
 Eigen::Matrix3d finger_zero_rotation(int finger) {

@@ -17,12 +17,12 @@ int bone_around(int keypoint) {
 
 // The straight hand's flesh around a joint: the furthest of its bone's own skin beside it, and of
 // any skin right before or behind it, metres.
-double flesh_at(const RigidTransform& bone_from_palm, int bone, const Mesh& straight,
+double flesh_at(const RigidTransform& bone_from_hand, int bone, const Mesh& straight,
                 const std::vector<std::uint8_t>& bone_of_vertex) {
   constexpr double kNear = 0.005;  // metres; about two edges of the mesh
   double furthest = 0;
   for (std::size_t v = 0; v < bone_of_vertex.size(); ++v) {
-    const Eigen::Vector3d p = bone_from_palm * straight.vertices[v].cast<double>();
+    const Eigen::Vector3d p = bone_from_hand * straight.vertices[v].cast<double>();
     const bool beside = bone_of_vertex[v] == bone && std::abs(p.y()) < kNear;
     if (beside) furthest = std::max(furthest, std::hypot(p.x(), p.z()));
     if (std::hypot(p.x(), p.y()) < kNear) furthest = std::max(furthest, std::abs(p.z()));
@@ -54,8 +54,8 @@ std::array<double, kKeypointCount> keypoint_radii(const Hand& hand) {
   std::array<double, kKeypointCount> radii;
   for (int i = 0; i < kKeypointCount; ++i) {
     const int bone = bone_around(i);
-    const RigidTransform bone_from_palm = hand_from_bone[static_cast<std::size_t>(bone)].inverse();
-    radii[static_cast<std::size_t>(i)] = kOblique * flesh_at(bone_from_palm, bone, straight, bones);
+    const RigidTransform bone_from_hand = hand_from_bone[static_cast<std::size_t>(bone)].inverse();
+    radii[static_cast<std::size_t>(i)] = kOblique * flesh_at(bone_from_hand, bone, straight, bones);
   }
   return radii;
 }

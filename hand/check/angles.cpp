@@ -8,7 +8,7 @@
 #include <bitset>
 #include <cmath>
 
-#include "geometry.h"
+#include "graspdb/geometry/triangle.h"
 #include "lines.h"
 
 namespace graspdb {

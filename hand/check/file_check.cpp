@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <assimp/commonMetaData.h>
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <map>
 
+#include "graspdb/core/assimp/assimp_scene.h"
 #include "graspdb/core/error.h"
 #include "graspdb/hand/check/hand_file_check.h"
 #include "lines.h"
@@ -17,20 +16,12 @@ namespace graspdb {
 namespace {
 
 const aiScene& read(Assimp::Importer& importer, const std::filesystem::path& file) {
-  const aiScene* scene = importer.ReadFile(file.string(), 0);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw Error({file.string(), "", "a rigged hand", importer.GetErrorString()});
-  }
-  return *scene;
-}
-
-Eigen::Matrix4d to_matrix(const aiMatrix4x4& m) {
-  return Eigen::Map<const Eigen::Matrix<ai_real, 4, 4, Eigen::RowMajor>>(&m.a1).cast<double>();
+  return read_scene(importer, file, 0, "a rigged hand");
 }
 
 Eigen::Matrix4d file_from_node(const aiNode* node) {
   Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
-  for (; node != nullptr; node = node->mParent) pose = to_matrix(node->mTransformation) * pose;
+  for (; node != nullptr; node = node->mParent) pose = to_eigen(node->mTransformation) * pose;
   return pose;
 }
 
@@ -116,7 +107,7 @@ class FileCheck {
       const aiBone& bone = *mesh.mBones[b];
       const aiNode* node = scene_.mRootNode->FindNode(bone.mName);
       Eigen::Matrix4d apart =
-          expected.inverse() * file_from_node(node) * to_matrix(bone.mOffsetMatrix);
+          expected.inverse() * file_from_node(node) * to_eigen(bone.mOffsetMatrix);
       apart -= Eigen::Matrix4d::Identity();
       apart.topRightCorner<3, 1>() /= side;
       worst.take(apart.cwiseAbs().maxCoeff(), [&] { return std::string(bone.mName.C_Str()); });

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "geometry.h"
 #include "graspdb/core/parallel.h"
+#include "graspdb/geometry/triangle.h"
 #include "graspdb/hand/named_poses.h"
 #include "lines.h"
 
@@ -47,11 +47,11 @@ InvertedCount count_inverted(const Hand& hand, const JointAngles& angles) {
   for (std::size_t i = 0; i < skin.size(); ++i) {
     const Triangle& t = posed.triangles[i];
     const Eigen::Matrix3f turn = turns[t[0]] + turns[t[1]] + turns[t[2]];
-    const Eigen::Vector3d expected = turn.cast<double>() * corners_of(hand.bind_mesh, t).normal();
-    if (!(skin[i].normal().dot(expected) < 0)) continue;
+    const Eigen::Vector3d expected = turn.cast<double>() * normal_of(corners_of(hand.bind_mesh, t));
+    if (!(normal_of(skin[i]).dot(expected) < 0)) continue;
     const Eigen::Vector3d outwards = expected.normalized();
     // From a little above itself.
-    const Eigen::Vector3d middle = (skin[i].a + skin[i].b + skin[i].c) / 3;
+    const Eigen::Vector3d middle = (skin[i][0] + skin[i][1] + skin[i][2]) / 3;
     ++count.all;
     count.open += !distance_along(middle + 1e-6 * outwards, outwards, skin);
   }

@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
-#include "geometry.h"
+#include "graspdb/geometry/topology.h"
+#include "graspdb/geometry/triangle.h"
 #include "graspdb/hand/named_poses.h"
 #include "lines.h"
-#include "surface.h"
 
 namespace graspdb {
 namespace {
@@ -35,7 +35,7 @@ HandCheckLine worst_thumb_volume(const Hand& hand) {
 
 void add_volume_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
   constexpr std::array<const char*, 4> kPoses = {"flat", "wrap", "pinch", "fist"};
-  const bool closed = is_closed(hand.bind_mesh);
+  const bool closed = is_closed(hand.bind_mesh.triangles);
   for (const std::string_view pose : kPoses) {
     const std::string name = fmt::format("volume change, {}", pose);
     const Gate gate = between(pose == "fist" ? -6 : -3, 3);

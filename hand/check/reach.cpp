@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry.h"
+#include "graspdb/geometry/triangle.h"
 #include "graspdb/hand/named_poses.h"
 #include "lines.h"
 #include "meeting.h"
@@ -68,7 +68,7 @@ struct Fist {
   PerBone<RigidTransform> hand_from_bone;
   Mesh skin;
   std::vector<Corners> palm;
-  double longest_side = 0;  // of the palm's triangles
+  double longest = 0;  // side of the palm's triangles
 
   explicit Fist(const Hand& hand);
   double distance_to_palm(const Vector3d& point, double at_most) const;
@@ -86,14 +86,14 @@ Fist::Fist(const Hand& hand)
   for (const Triangle& t : skin.triangles) {
     if (!std::all_of(t.begin(), t.end(), is_palm)) continue;
     palm.push_back(corners_of(skin, t));
-    longest_side = std::max(longest_side, palm.back().longest_side());
+    longest = std::max(longest, longest_side(palm.back()));
   }
 }
 
 double Fist::distance_to_palm(const Vector3d& point, double at_most) const {
   for (const Corners& t : palm) {
-    const double near_enough = at_most + longest_side;
-    if ((t.a - point).squaredNorm() > near_enough * near_enough) continue;
+    const double near_enough = at_most + longest;
+    if ((t[0] - point).squaredNorm() > near_enough * near_enough) continue;
     at_most = std::min(at_most, distance_to_triangle(point, t));
   }
   return at_most;
@@ -106,13 +106,13 @@ HandCheckLine tip_to_palm(const Hand& hand, const Fist& fist, int finger) {
     return not_applicable(name, "mm", at_most(3), no_skin_on(bone));
   }
   const std::vector<std::uint8_t> bones = strongest_bones(hand);
-  const RigidTransform bone_from_palm =
+  const RigidTransform bone_from_hand =
       fist.hand_from_bone[static_cast<std::size_t>(bone)].inverse();
   const double half = hand.skeleton.tip_in_distal[static_cast<std::size_t>(finger) + 1].y() / 2;
   double least = 1;
   for (std::size_t v = 0; v < fist.skin.vertices.size(); ++v) {
     const Vector3d point = fist.skin.vertices[v].cast<double>();
-    if (bones[v] != bone || (bone_from_palm * point).y() < half) continue;
+    if (bones[v] != bone || (bone_from_hand * point).y() < half) continue;
     least = fist.distance_to_palm(point, least);
   }
   return judged(name, 1000 * least, "mm", at_most(3));

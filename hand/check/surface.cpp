@@ -4,46 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "geometry.h"
+#include "graspdb/geometry/topology.h"
+#include "graspdb/geometry/triangle.h"
 #include "lines.h"
 
 namespace graspdb {
 namespace {
-
-struct EdgeUse {
-  std::uint32_t low, high;
-  bool upwards;  // the triangle passes it from low to high
-
-  bool same_edge(const EdgeUse& other) const { return low == other.low && high == other.high; }
-};
-
-struct EdgeCounts {
-  std::size_t edges = 0, open = 0, turned = 0;
-};
-
-EdgeCounts count_edges(const Mesh& mesh) {
-  std::vector<EdgeUse> uses;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = t[i], to = t[(i + 1) % 3];
-      uses.push_back({std::min(from, to), std::max(from, to), from < to});
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::pair(a.low, a.high) < std::pair(b.low, b.high);
-  });
-  EdgeCounts counts;
-  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-    while (end < uses.size() && uses[end].same_edge(uses[begin])) ++end;
-    ++counts.edges;
-    const bool two = end - begin == 2 && uses[begin].low != uses[begin].high;
-    counts.open += !two;
-    counts.turned += two && uses[begin].upwards == uses[begin + 1].upwards;
-  }
-  return counts;
-}
 
 using Fan = std::vector<Triangle>;  // triangles round one vertex
 
@@ -85,12 +52,6 @@ VertexCounts count_vertices(const Mesh& mesh) {
   return counts;
 }
 
-double quality(const Corners& t) {
-  const double squares =
-      (t.b - t.a).squaredNorm() + (t.c - t.b).squaredNorm() + (t.a - t.c).squaredNorm();
-  return squares > 0 ? 2 * std::sqrt(3.0) * t.normal().norm() / squares : 0;
-}
-
 // Tells the triangles at the forearm's end from all others.
 class ForearmCap {
  public:
@@ -104,7 +65,7 @@ class ForearmCap {
   bool contains(const Corners& t) const {
     constexpr double kDepth = .003;
     const auto at_end = [&](const Eigen::Vector3d& v) { return to_elbow_.dot(v) > end_ - kDepth; };
-    return at_end(t.a) && at_end(t.b) && at_end(t.c);
+    return at_end(t[0]) && at_end(t[1]) && at_end(t[2]);
   }
 
  private:
@@ -122,8 +83,8 @@ void add_triangle_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
     const auto place = [&] {
       return fmt::format("triangle {} on {}", i, bone_name(bones[triangle[0]]));
     };
-    flattest.take(-quality(corners), place);
-    if (!cap.contains(corners)) longest.take(corners.longest_side(), place);
+    flattest.take(-quality_of(corners), place);
+    if (!cap.contains(corners)) longest.take(longest_side(corners), place);
   }
   lines.push_back(judged("triangle quality", -flattest.value, "", at_least(.1), flattest.where));
   lines.push_back(judged("longest edge", 1000 * longest.value, "mm", at_most(12), longest.where));
@@ -131,24 +92,21 @@ void add_triangle_lines(const Hand& hand, std::vector<HandCheckLine>& lines) {
 
 }  // namespace
 
-bool is_closed(const Mesh& mesh) {
-  return count_edges(mesh).open == 0;
-}
-
 std::vector<HandCheckLine> check_surface(const Hand& hand) {
   const Mesh& mesh = hand.bind_mesh;
-  const EdgeCounts edges = count_edges(mesh);
+  const EdgeCounts edges = count_edges(mesh.triangles);
+  const std::size_t open = edges.open + edges.crowded;
   const VertexCounts vertices = count_vertices(mesh);
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
   std::vector<HandCheckLine> lines = {
-      judged("open edges", number(edges.open), "", exactly(0)),
+      judged("open edges", number(open), "", exactly(0)),
       judged("pinched vertices", number(vertices.pinched), "", exactly(0)),
       judged("turned edges", number(edges.turned), "", exactly(0)),
       judged("Euler number",
-             number(vertices.used) - number(edges.edges) + number(mesh.triangles.size()), "",
+             number(vertices.used) - number(edges.all) + number(mesh.triangles.size()), "",
              exactly(2)),
-      edges.open == 0 ? judged("volume", 1e6 * volume_of(mesh), "cm3", above(0))
-                      : not_applicable("volume", "cm3", above(0), "the surface is open")};
+      open == 0 ? judged("volume", 1e6 * volume_of(mesh), "cm3", above(0))
+                : not_applicable("volume", "cm3", above(0), "the surface is open")};
   add_triangle_lines(hand, lines);
   return lines;
 }

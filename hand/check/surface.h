@@ -10,7 +10,4 @@ namespace graspdb {
 // Open and turned edges, pinched vertices, Euler number, volume, quality and length of edges.
 std::vector<HandCheckLine> check_surface(const Hand& hand);
 
-// Whether every edge has two triangles, so that the skin encloses a volume.
-bool is_closed(const Mesh& mesh);
-
 }  // namespace graspdb

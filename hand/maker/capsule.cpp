@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graspdb/geometry/triangle.h"
+
 namespace graspdb {
 namespace {
 
@@ -14,10 +16,9 @@ double length_of(double a, double b) {
 
 }  // namespace
 
-double distance_to(const Capsule& capsule, const Eigen::Vector3d& point) {
+double distance_to(const FleshCapsule& capsule, const Eigen::Vector3d& point) {
   const Eigen::Vector3d axis = capsule.end - capsule.start, from_start = point - capsule.start;
-  const double length = axis.squaredNorm();
-  const double t = length > 0 ? std::clamp(from_start.dot(axis) / length, 0.0, 1.0) : 0.0;
+  const double t = share_of_way(point, capsule.start, capsule.end);
   const double wide = std::lerp(capsule.start_radius, capsule.end_radius, t);
   const double thin = wide * std::lerp(capsule.start_depth, capsule.end_depth, t);
   const Eigen::Vector3d offset = from_start - t * axis;
@@ -34,7 +35,7 @@ double smooth_min(double a, double b, double blend) {
   return overlap > 0 ? std::min(a, b) - overlap * overlap / (4 * blend) : std::min(a, b);
 }
 
-void Flesh::add(const Capsule& capsule) {
+void Flesh::add(const FleshCapsule& capsule) {
   const double half_length = .5 * (capsule.end - capsule.start).norm();
   parts_.push_back({capsule, .5 * (capsule.start + capsule.end),
                     half_length + std::max(capsule.start_radius, capsule.end_radius)});
@@ -55,7 +56,7 @@ double Flesh::distance_to(const Eigen::Vector3d& point) const {
 Eigen::AlignedBox3d Flesh::bounds() const {
   Eigen::AlignedBox3d box;
   for (const Part& part : parts_) {
-    const Capsule& capsule = part.capsule;
+    const FleshCapsule& capsule = part.capsule;
     for (const auto& [center, radius] : {std::pair{capsule.start, capsule.start_radius},
                                          std::pair{capsule.end, capsule.end_radius}}) {
       box.extend(center - Eigen::Vector3d::Constant(radius + capsule.blend / 4));

@@ -10,7 +10,7 @@ namespace graspdb {
 
 // Millimetres. At its two ends the section is `radius` wide and `radius * depth` thick along
 // `thin_axis` (a unit vector, roughly square to the axis).
-struct Capsule {
+struct FleshCapsule {
   Eigen::Vector3d start;
   Eigen::Vector3d end;
   double start_radius;
@@ -22,7 +22,7 @@ struct Capsule {
 };
 
 // Signed distance, exact for round capsules without taper, else to first order near the surface.
-double distance_to(const Capsule& capsule, const Eigen::Vector3d& point);
+double distance_to(const FleshCapsule& capsule, const Eigen::Vector3d& point);
 
 // The smaller of two distances, rounded where they differ by less than `blend`; where they are
 // equal the surface swells by blend / 4.
@@ -31,14 +31,14 @@ double smooth_min(double a, double b, double blend);
 // A body of flesh: capsules joined one after the other.
 class Flesh {
  public:
-  void add(const Capsule& capsule);
-  const Capsule& last() const { return parts_.back().capsule; }
+  void add(const FleshCapsule& capsule);
+  const FleshCapsule& last() const { return parts_.back().capsule; }
   double distance_to(const Eigen::Vector3d& point) const;
   Eigen::AlignedBox3d bounds() const;
 
  private:
   struct Part {
-    Capsule capsule;
+    FleshCapsule capsule;
     Eigen::Vector3d middle;  // of a sphere round the capsule
     double radius;
   };

@@ -31,7 +31,7 @@ struct HandFlesh {
   Flesh palm;                   // with metacarpals, thenar, webs
   Flesh forearm;
   std::array<Nail, 5> nails;
-  std::array<Capsule, 5> rays;  // metacarpals as they are, to divide the palm among them
+  std::array<FleshCapsule, 5> rays;  // metacarpals as they are, to divide the palm among them
 };
 
 // `frames` are those of the pose in which the flesh is wanted; `tips_mm` lie in their distal bone.

@@ -11,6 +11,7 @@
 #include "glb.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/geometry/topology.h"
 #include "proportions.h"
 #include "simplify.h"
 #include "skin.h"
@@ -139,7 +140,7 @@ Hand make_hand(const HandShape& shape) {
   relax(surface, 3, fine);
   RawMesh mesh = reduced(surface, fine);
   relax(surface, 4, mesh);
-  GRASPDB_CHECK(is_sphere_like(mesh));
+  GRASPDB_CHECK(is_sphere_like(mesh.vertices.size(), mesh.triangles));
   hand.bind_mesh = finished_mesh(surface, mesh);
   hand.weights = skin_weights(surface, mesh, bind_frames_mm(hand.skeleton), width);
   return hand;

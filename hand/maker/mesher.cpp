@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "mesher.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/parallel.h"
+#include "graspdb/geometry/topology.h"
 
 namespace graspdb {
 namespace {
@@ -132,21 +134,6 @@ class SurfaceNets {
   RawMesh mesh_;
 };
 
-bool is_one_piece(const std::vector<std::vector<std::uint32_t>>& neighbors) {
-  std::vector<bool> seen(neighbors.size());
-  std::vector<std::uint32_t> open = {0};
-  std::size_t count = 0;
-  while (!open.empty()) {
-    const std::uint32_t v = open.back();
-    open.pop_back();
-    if (seen[v]) continue;
-    seen[v] = true;
-    ++count;
-    open.insert(open.end(), neighbors[v].begin(), neighbors[v].end());
-  }
-  return count == neighbors.size();
-}
-
 Eigen::Vector3d mean_of(const std::vector<Eigen::Vector3d>& points,
                         const std::vector<std::uint32_t>& chosen) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -156,38 +143,11 @@ Eigen::Vector3d mean_of(const std::vector<Eigen::Vector3d>& points,
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> vertex_neighbors(std::size_t vertex_count,
-                                                         const std::vector<Triangle>& triangles) {
-  std::vector<std::vector<std::uint32_t>> neighbors(vertex_count);
-  for (const Triangle& t : triangles) {
-    // In a closed mesh every edge comes once in each direction.
-    for (std::size_t i = 0; i < 3; ++i) neighbors[t[i]].push_back(t[(i + 1) % 3]);
-  }
-  return neighbors;
-}
-
-bool is_sphere_like(const RawMesh& mesh) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges, reversed;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      edges.emplace_back(t[i], t[(i + 1) % 3]);
-      reversed.emplace_back(t[(i + 1) % 3], t[i]);
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  std::sort(reversed.begin(), reversed.end());
-  const bool manifold =
-      edges == reversed && std::adjacent_find(edges.begin(), edges.end()) == edges.end();
-  return manifold &&
-         mesh.vertices.size() + mesh.triangles.size() == mesh.triangles.size() * 3 / 2 + 2 &&
-         is_one_piece(vertex_neighbors(mesh.vertices.size(), mesh.triangles));
-}
-
 RawMesh mesh_surface(const HandSurface& surface, double cell) {
   // A cell that the surface crosses twice gives an edge with four triangles; another grid may not.
   for (int attempt = 0; attempt < 8; ++attempt) {
     RawMesh mesh = SurfaceNets(surface, cell, attempt / 8.0).make();
-    if (is_sphere_like(mesh)) return mesh;
+    if (is_sphere_like(mesh.vertices.size(), mesh.triangles)) return mesh;
   }
   throw Error("the hand's surface is not of one piece without handles: fingers may touch");
 }

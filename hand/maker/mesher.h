@@ -22,9 +22,4 @@ RawMesh mesh_surface(const HandSurface& surface, double cell);
 // Evens out the triangles along the surface and moves every vertex onto it.
 void relax(const HandSurface& surface, int passes, RawMesh& mesh);
 
-bool is_sphere_like(const RawMesh& mesh);
-
-std::vector<std::vector<std::uint32_t>> vertex_neighbors(std::size_t vertex_count,
-                                                         const std::vector<Triangle>& triangles);
-
 }  // namespace graspdb

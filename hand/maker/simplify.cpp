@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <queue>
 
+#include "graspdb/geometry/triangle.h"
+
 namespace graspdb {
 namespace {
 
@@ -57,11 +59,10 @@ class Simplifier {
 
  private:
   void add_quadric(const Triangle& t) {
-    const Eigen::Vector3d a = vertices_[t[0]];
-    const Eigen::Vector3d cross = (vertices_[t[1]] - a).cross(vertices_[t[2]] - a);
-    const Eigen::Vector3d normal = cross.normalized();
+    const Corners corners = {vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]};
+    const Eigen::Vector3d cross = normal_of(corners), normal = cross.normalized();
     Eigen::Vector4d plane;
-    plane << normal, -normal.dot(a);
+    plane << normal, -normal.dot(corners[0]);
     for (const Index v : t) quadrics_[v] += cross.norm() / 6 * plane * plane.transpose();
   }
 
@@ -110,7 +111,7 @@ class Simplifier {
 
   bool fits(const Collapse& c, Index moved) const {
     for (const Index t : triangles_of_[moved]) {
-      std::array<Eigen::Vector3d, 3> before, after;
+      Corners before, after;
       int of_edge = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         const Index v = triangles_[t][i];
@@ -123,21 +124,9 @@ class Simplifier {
     return true;
   }
 
-  static bool is_sound(const std::array<Eigen::Vector3d, 3>& before,
-                       const std::array<Eigen::Vector3d, 3>& after) {
-    const auto cross = [](const std::array<Eigen::Vector3d, 3>& p) {
-      return Eigen::Vector3d((p[1] - p[0]).cross(p[2] - p[0]));
-    };
-    double squares = 0, longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double square = (after[i] - after[(i + 1) % 3]).squaredNorm();
-      squares += square;
-      longest = std::max(longest, square);
-    }
-    const Eigen::Vector3d now = cross(after);
-    const double quality = 2 * std::sqrt(3.0) * now.norm() / squares;  // 1 when equilateral
-    return longest < kLongestEdgeMm * kLongestEdgeMm && quality > kWorstQuality &&
-           now.normalized().dot(cross(before).normalized()) > .6;
+  static bool is_sound(const Corners& before, const Corners& after) {
+    return longest_side(after) < kLongestEdgeMm && quality_of(after) > kWorstQuality &&
+           normal_of(after).normalized().dot(normal_of(before).normalized()) > .6;
   }
 
   void apply(const Collapse& c) {

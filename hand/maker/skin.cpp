@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "graspdb/core/parallel.h"
+#include "graspdb/geometry/topology.h"
 
 namespace graspdb {
 namespace {

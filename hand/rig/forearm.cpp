@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "graspdb/core/error.h"
+#include "graspdb/geometry/topology.h"
+#include "graspdb/geometry/triangle.h"
 #include "subdivide.h"
 
 namespace graspdb {
@@ -24,29 +25,20 @@ constexpr double kWideningShare =
 constexpr double kRingSpacingM = .006;
 constexpr double kLongestEdgeM = .005;  // round the end that is extended
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-std::set<Edge> directed_edges(const std::vector<Triangle>& triangles) {
-  std::set<Edge> edges;
-  for (const Triangle& t : triangles) {
-    for (std::size_t i = 0; i < 3; ++i) edges.emplace(t[i], t[(i + 1) % 3]);
-  }
-  return edges;
-}
-
 // What follows each vertex along the open edges.
 std::map<std::uint32_t, std::uint32_t> open_edges(const std::vector<Triangle>& triangles) {
-  const std::set<Edge> edges = directed_edges(triangles);
   std::map<std::uint32_t, std::uint32_t> next;
-  for (const auto& [from, to] : edges) {
-    if (!edges.contains({to, from})) next.emplace(from, to);
-  }
+  for_each_edge(triangles, [&](Edge edge) {
+    const auto upwards = std::count_if(edge.begin(), edge.end(),
+                                       [](const TriangleSide& side) { return side.upwards; });
+    if (upwards == 0) next.emplace(edge.front().high, edge.front().low);
+    if (upwards == std::ssize(edge)) next.emplace(edge.front().low, edge.front().high);
+  });
   return next;
 }
 
 Vector3d face_normal(const Mesh& mesh, const Triangle& t) {
-  const auto corner = [&](std::size_t i) -> Vector3d { return mesh.vertices[t[i]].cast<double>(); };
-  return (corner(1) - corner(0)).cross(corner(2) - corner(0));
+  return normal_of(corners_of(mesh, t));
 }
 
 // The triangles that face the elbow and hang together with the vertex nearest to it.

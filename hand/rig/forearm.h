@@ -10,7 +10,7 @@
 
 namespace graspdb {
 
-// Opens the hand's end towards the elbow (a unit vector in the palm's frame): takes its cap off,
+// Opens the hand's end towards the elbow (a unit vector in the hand frame): takes its cap off,
 // unless it is open already. Returns what is wrong with an end that is then not one loop, and
 // changes nothing.
 std::optional<std::string> open_end(const Eigen::Vector3d& elbow, RigSkin& skin);

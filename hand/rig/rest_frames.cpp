@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 RigidTransform hand_from_file(const RestJoints& joints) {
   const auto from_wrist = [&](int finger) -> Vector3d {
-    return joints.origins[at(finger_bone(finger, kProximal))] - joints.origins[kPalm];
+    return joints.origins[finger_bone(finger, kProximal)] - joints.origins[kPalm];
   };
   const Vector3d dorsal = from_wrist(3).cross(from_wrist(0));
   return RigidTransform{frame_along(from_wrist(1), dorsal), joints.origins[kPalm]}.inverse();
@@ -33,10 +33,9 @@ struct Chain {
 
 Chain chain_of(const RestJoints& joints, int digit) {
   Chain chain;
-  chain.first_bone = at(digit == 0 ? kThumbMetacarpal : finger_bone(digit - 1, kProximal));
+  chain.first_bone = digit == 0 ? kThumbMetacarpal : finger_bone(digit - 1, kProximal);
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3d& end =
-        i == 2 ? joints.tips[at(digit)] : joints.origins[chain.first_bone + i + 1];
+    const Vector3d& end = i == 2 ? joints.tips[digit] : joints.origins[chain.first_bone + i + 1];
     chain.along[i] = end - joints.origins[chain.first_bone + i];
   }
   return chain;
@@ -58,11 +57,10 @@ Skeleton skeleton_of(const RestJoints& joints) {
   HandMeasures measures;
   for (int digit = 0; digit < 5; ++digit) {
     const Chain chain = chain_of(joints, digit);
-    for (std::size_t i = 0; i < 3; ++i) measures.lengths[at(digit)][i] = chain.along[i].norm();
-    const int cmc = digit == 0 ? static_cast<int>(kThumbMetacarpal)
-                               : static_cast<int>(finger_bone(digit - 1, kMetacarpal));
-    measures.cmc[at(digit)] = joints.origins[at(cmc)];
-    if (digit > 0) measures.mcp[at(digit - 1)] = joints.origins[chain.first_bone];
+    for (std::size_t i = 0; i < 3; ++i) measures.lengths[digit][i] = chain.along[i].norm();
+    const Bone cmc = digit == 0 ? kThumbMetacarpal : finger_bone(digit - 1, kMetacarpal);
+    measures.cmc[digit] = joints.origins[cmc];
+    if (digit > 0) measures.mcp[digit - 1] = joints.origins[chain.first_bone];
   }
   return skeleton_from_measures(measures);
 }
@@ -77,7 +75,7 @@ PerBone<RigidTransform> bone_frames(const RestJoints& joints, const Skeleton& sk
       const Vector3d& along = chain.along[i];
       const Vector3d dorsal =
           digit == 0 ? joints.thumb_nail : Vector3d(ulnar_axis(chain, digit - 1).cross(along));
-      const double roll = digit == 0 ? 0 : joints.finger_rolls[at(digit - 1)];
+      const double roll = digit == 0 ? 0 : joints.finger_rolls[digit - 1];
       frames[chain.first_bone + i] = {frame_along(along, dorsal) * axis_rotation(1, -roll),
                                       joints.origins[chain.first_bone + i]};
     }
@@ -90,9 +88,9 @@ PerBone<RigidTransform> bone_frames(const RestJoints& joints, const Skeleton& sk
 RestFrames frames_from_joints(const RestJoints& joints) {
   RestFrames frames;
   frames.hand_from_file = hand_from_file(joints);
-  const RestJoints in_palm = moved(frames.hand_from_file, joints);
-  frames.skeleton = skeleton_of(in_palm);
-  frames.hand_from_bone = bone_frames(in_palm, frames.skeleton);
+  const RestJoints in_hand = moved(frames.hand_from_file, joints);
+  frames.skeleton = skeleton_of(in_hand);
+  frames.hand_from_bone = bone_frames(in_hand, frames.skeleton);
   return frames;
 }
 

@@ -2,27 +2,19 @@
 #include "rig_file.h"
 
 #include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <assimp/Importer.hpp>
 
+#include "graspdb/core/assimp/assimp_scene.h"
 #include "graspdb/core/error.h"
+#include "graspdb/geometry/topology.h"
 
 namespace graspdb {
 namespace {
 
 constexpr double kSmallestWeight = 1e-6;  // importers give idle joints a weight of 0
-
-Eigen::Matrix4d to_matrix(const aiMatrix4x4& m) {
-  return Eigen::Map<const Eigen::Matrix<ai_real, 4, 4, Eigen::RowMajor>>(&m.a1).cast<double>();
-}
-
-Eigen::Vector3d to_vector(const aiVector3D& v) {
-  return {v.x, v.y, v.z};
-}
 
 float gray(const aiColor4D& color) {
   return (color.r + color.g + color.b) / 3;
@@ -51,7 +43,7 @@ class SceneReader {
 
  private:
   void collect_poses(const aiNode& node, const Eigen::Matrix4d& file_from_parent) {
-    const Eigen::Matrix4d file_from_node = file_from_parent * to_matrix(node.mTransformation);
+    const Eigen::Matrix4d file_from_node = file_from_parent * to_eigen(node.mTransformation);
     if (poses_.emplace(node.mName.C_Str(), file_from_node).second) {
       file_.joints.emplace(node.mName.C_Str(), file_from_node.topRightCorner<3, 1>());
     }
@@ -64,12 +56,9 @@ class SceneReader {
     if (mesh.mNumBones == 0 || !mesh.HasNormals()) return;  // points and lines have none
     std::vector<std::uint32_t> merged;
     for (Corner& corner : read_corners(mesh)) merged.push_back(add_corner(std::move(corner)));
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices != 3) continue;  // points and lines
-      const Triangle t = {merged[face.mIndices[0]], merged[face.mIndices[1]],
-                          merged[face.mIndices[2]]};
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) file_.mesh.triangles.push_back(t);
+    for (const Triangle& corners : triangles_of(mesh)) {
+      const Triangle t = {merged[corners[0]], merged[corners[1]], merged[corners[2]]};
+      if (has_three_corners(t)) file_.mesh.triangles.push_back(t);
     }
   }
 
@@ -80,9 +69,11 @@ class SceneReader {
     for (unsigned b = 0; b < mesh.mNumBones; ++b) add_bone(*mesh.mBones[b], corners, blends);
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       normalize(v, corners[v].shares, blends[v]);
-      corners[v].position = (blends[v] * to_vector(mesh.mVertices[v]).homogeneous()).cast<float>();
+      corners[v].position =
+          (blends[v] * to_eigen(mesh.mVertices[v]).cast<double>().homogeneous()).cast<float>();
       if (!corners[v].position.allFinite()) fail(v, "a place", "no number");
-      corners[v].normal = (blends[v].leftCols<3>() * to_vector(mesh.mNormals[v])).cast<float>();
+      corners[v].normal =
+          (blends[v].leftCols<3>() * to_eigen(mesh.mNormals[v]).cast<double>()).cast<float>();
       if (!corners[v].normal.allFinite()) fail(v, "a normal", "no number");
       corners[v].albedo = mesh.HasVertexColors(0) ? gray(mesh.mColors[0][v]) : 1;
     }
@@ -93,7 +84,7 @@ class SceneReader {
   void add_bone(const aiBone& bone, std::vector<Corner>& corners,
                 std::vector<Eigen::Matrix<double, 3, 4>>& blends) {
     const Eigen::Matrix<double, 3, 4> rest_from_mesh =
-        (pose_of(bone.mName.C_Str()) * to_matrix(bone.mOffsetMatrix)).topRows<3>();
+        (pose_of(bone.mName.C_Str()) * to_eigen(bone.mOffsetMatrix)).topRows<3>();
     const std::size_t index = bone_index(bone.mName.C_Str());
     for (unsigned i = 0; i < bone.mNumWeights; ++i) {
       const auto& [v, weight] = bone.mWeights[i];
@@ -161,12 +152,9 @@ RigFile read_rig_file(const std::filesystem::path& path) {
   // Blender's names of a .dae's joints, not the ids that it derives from them.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
-  const aiScene* scene =
-      importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_GenSmoothNormals);
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw Error({path.string(), "", "a rigged hand", importer.GetErrorString()});
-  }
-  return SceneReader(path, *scene).read();
+  const aiScene& scene = read_scene(
+      importer, path, aiProcess_Triangulate | aiProcess_GenSmoothNormals, "a rigged hand");
+  return SceneReader(path, scene).read();
 }
 
 }  // namespace graspdb

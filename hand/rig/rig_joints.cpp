@@ -61,16 +61,16 @@ class JointReader {
   }
 
   void read_bone(int bone) {
-    const std::vector<std::string>& names = map_.bones[at(bone)];
+    const std::vector<std::string>& names = map_.bones[bone];
     for (const std::string& name : names) joint(name, bone_key(bone));
-    if (!names.empty()) joints_.origins[at(bone)] = joint(names.front(), bone_key(bone));
+    if (!names.empty()) joints_.origins[bone] = joint(names.front(), bone_key(bone));
   }
 
   void read_tip(int digit) {
     const int bone = first_bone(digit) + 2;
-    const Vector3d& distal = joints_.origins[at(bone)];
-    Vector3d& tip = joints_.tips[at(digit)];
-    const TipPlace& place = map_.tips[at(digit)];
+    const Vector3d& distal = joints_.origins[bone];
+    Vector3d& tip = joints_.tips[digit];
+    const TipPlace& place = map_.tips[digit];
     if (const auto* name = std::get_if<std::string>(&place)) {
       tip = joint(*name, tip_key(digit));
     } else if (const auto* point = std::get_if<Vector3d>(&place)) {
@@ -95,20 +95,19 @@ class JointReader {
         ++count;
       }
     }
-    const Vector3d& joint = joints_.origins[at(bone)];
-    return count > 0 ? Vector3d(sum / count - joint)
-                     : Vector3d(joint - joints_.origins[at(bone - 1)]);
+    const Vector3d& joint = joints_.origins[bone];
+    return count > 0 ? Vector3d(sum / count - joint) : Vector3d(joint - joints_.origins[bone - 1]);
   }
 
   // How many times `onward` it takes from a joint to where that line leaves the flesh.
   double depth_of(int bone, const Vector3d& onward) const {
-    const Vector3d& distal = joints_.origins[at(bone)];
+    const Vector3d& distal = joints_.origins[bone];
     double nearest = kLongestTipM / onward.norm();
     bool found = false;
     for (const Triangle& t : file_.mesh.triangles) {
       Eigen::Matrix3d corners;
       for (int i = 0; i < 3; ++i) {
-        corners.col(i) = meters_from_file_ * file_.mesh.vertices[t[at(i)]].cast<double>() - distal;
+        corners.col(i) = meters_from_file_ * file_.mesh.vertices[t[i]].cast<double>() - distal;
       }
       // onward * distance = corners * shares, and shares that sum to 1 are >= 0 inside.
       const Vector3d shares = corners.partialPivLu().solve(onward);
@@ -127,18 +126,18 @@ class JointReader {
   Vector3d far_end(int bone) const {
     if (bone == kPalm) return joints_.origins[finger_bone(1, kProximal)];
     for (int digit = 0; digit < 5; ++digit) {
-      if (bone == first_bone(digit) + 2) return joints_.tips[at(digit)];
+      if (bone == first_bone(digit) + 2) return joints_.tips[digit];
     }
-    return joints_.origins[at(bone + 1)];
+    return joints_.origins[bone + 1];
   }
 
   void correct() {
     PerBone<Vector3d> corrected = joints_.origins;
     for (int bone = 0; bone < kBoneCount; ++bone) {
-      const double distance = map_.moved_along[at(bone)];
+      const double distance = map_.moved_along[bone];
       if (distance == 0) continue;
-      const Vector3d& origin = joints_.origins[at(bone)];
-      corrected[at(bone)] += distance * (far_end(bone) - origin).normalized();
+      const Vector3d& origin = joints_.origins[bone];
+      corrected[bone] += distance * (far_end(bone) - origin).normalized();
     }
     joints_.origins = corrected;
   }
@@ -159,7 +158,7 @@ class JointReader {
   void check_size() const {
     double length = 0;
     for (const int bone : {int{kPalm}, first_bone(2), first_bone(2) + 1, first_bone(2) + 2}) {
-      length += (far_end(bone) - joints_.origins[at(bone)]).norm();
+      length += (far_end(bone) - joints_.origins[bone]).norm();
     }
     if (!(length >= kShortestHandM && length <= kLongestHandM)) {
       fail("metres_per_unit", fmt::format("a hand of {} to {} m", kShortestHandM, kLongestHandM),
@@ -173,7 +172,7 @@ class JointReader {
     for (int bone = first_bone(digit); bone < first_bone(digit) + 3; ++bone) {
       const bool is_last = bone == first_bone(digit) + 2;
       const std::string key = is_last ? tip_key(digit) : bone_key(bone + 1);
-      const Vector3d along = far_end(bone) - joints_.origins[at(bone)];
+      const Vector3d along = far_end(bone) - joints_.origins[bone];
       if (!(along.norm() >= kShortestBoneM)) {
         fail(key, fmt::format("a joint at least {} m beyond {}", kShortestBoneM, bone_key(bone)),
              fmt::format("{:.4g} m", along.norm()));
@@ -188,7 +187,7 @@ class JointReader {
   static std::string tip_key(int digit) {
     constexpr std::array<std::string_view, 5> kKeys = {"tips.thumb", "tips.index", "tips.middle",
                                                        "tips.ring", "tips.little"};
-    return std::string(kKeys[at(digit)]);
+    return std::string(kKeys[digit]);
   }
 
   const RigMap& map_;

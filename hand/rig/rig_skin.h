@@ -9,7 +9,7 @@
 
 namespace graspdb {
 
-// The skin at rest in the palm's frame, and how much each of our bones moves of every vertex.
+// The skin at rest in the hand frame, and how much each of our bones moves of every vertex.
 struct RigSkin {
   Mesh mesh;
   std::vector<PerBone<double>> weights;

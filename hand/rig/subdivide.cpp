@@ -2,7 +2,8 @@
 #include "subdivide.h"
 
 #include <algorithm>
-#include <map>
+
+#include "graspdb/geometry/topology.h"
 
 namespace graspdb {
 namespace {
@@ -23,28 +24,25 @@ Eigen::Vector3f curved_middle(const Mesh& mesh, std::uint32_t a, std::uint32_t b
 struct LongEdge {
   float length;
   std::uint32_t a, b;
-  std::vector<std::size_t> triangles;
+  std::vector<std::uint32_t> triangles;
 };
 
 std::vector<LongEdge> long_edges(double limit, const Mesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> triangles;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      triangles[std::minmax(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3])].push_back(t);
-    }
-  }
   std::vector<LongEdge> edges;
-  for (auto& [edge, both] : triangles) {
-    const float length = (mesh.vertices[edge.first] - mesh.vertices[edge.second]).norm();
-    if (length > limit) edges.push_back({length, edge.first, edge.second, std::move(both)});
-  }
+  for_each_edge(mesh.triangles, [&](Edge edge) {
+    const auto [low, high] = std::pair(edge.front().low, edge.front().high);
+    const float length = (mesh.vertices[low] - mesh.vertices[high]).norm();
+    if (!(length > limit)) return;
+    edges.push_back({length, low, high, {}});
+    for (const TriangleSide& side : edge) edges.back().triangles.push_back(side.triangle);
+  });
   std::stable_sort(edges.begin(), edges.end(),
                    [](const LongEdge& p, const LongEdge& q) { return p.length > q.length; });
   return edges;
 }
 
 // Puts `middle` in place of one end of the edge in a triangle, and of the other in a new one.
-void halve(std::size_t triangle, const LongEdge& edge, std::uint32_t middle, Mesh& mesh) {
+void halve(std::uint32_t triangle, const LongEdge& edge, std::uint32_t middle, Mesh& mesh) {
   Triangle second = mesh.triangles[triangle];
   for (std::uint32_t& v : mesh.triangles[triangle]) v = v == edge.a ? middle : v;
   for (std::uint32_t& v : second) v = v == edge.b ? middle : v;
@@ -73,11 +71,11 @@ void subdivide(double longest_edge, RigSkin& skin) {
     // A triangle is halved once a round, across the longest of its edges that are left.
     std::vector<bool> halved(skin.mesh.triangles.size());
     for (const LongEdge& edge : edges) {
-      const auto is_halved = [&](std::size_t t) { return bool{halved[t]}; };
+      const auto is_halved = [&](std::uint32_t t) { return bool{halved[t]}; };
       if (std::any_of(edge.triangles.begin(), edge.triangles.end(), is_halved)) continue;
       const std::uint32_t middle = add_midpoint(edge.a, edge.b, skin);
       skin.mesh.vertices[middle] = curved_middle(skin.mesh, edge.a, edge.b);
-      for (const std::size_t t : edge.triangles) {
+      for (const std::uint32_t t : edge.triangles) {
         halve(t, edge, middle, skin.mesh);
         halved[t] = true;
       }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "graspdb/core/random.h"
 
 namespace graspdb {
@@ -42,6 +44,20 @@ TEST(Transform, AxisRotationIsRightHanded) {
   EXPECT_LT(
       (axis_rotation(2, kPi / 2) * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(),
       1e-15);
+}
+
+TEST(Transform, RotationFromAxesKeepsTheFirstAndComesNearTheSecond) {
+  RandomStream random(4);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d first = random_vector(random, 2), second = random_vector(random, .1);
+    const Eigen::Matrix3d rotation = rotation_from_axes(axis, first, second);
+    EXPECT_LT((rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+    EXPECT_NEAR(rotation.determinant(), 1, 1e-12);
+    EXPECT_LT((rotation.col(axis) - first.normalized()).norm(), 1e-15);
+    // Nearest among all directions that are square to the first one.
+    const Eigen::Vector3d square = second - first * first.dot(second) / first.squaredNorm();
+    EXPECT_LT((rotation.col((axis + 1) % 3) - square.normalized()).norm(), 1e-12);
+  }
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ Eigen::Vector3d random_point(RandomStream& random, double reach) {
           random.uniform(-reach, reach)};
 }
 
-TEST(Overlap, InsideTestAgreesWithTheSolid) {
+TEST(Inside, InsideTestAgreesWithTheSolid) {
   for (const auto& solid :
        {make_sphere(0.06), make_cylinder(0.05, 0.06), make_box({0.05, 0.04, 0.03})}) {
     const InsideTest inside(solid->mesh());
@@ -31,7 +31,7 @@ TEST(Overlap, InsideTestAgreesWithTheSolid) {
   }
 }
 
-TEST(Overlap, InsideOfTwoOverlappingBallsIsInside) {
+TEST(Inside, InsideOfTwoOverlappingBallsIsInside) {
   Mesh two = make_sphere(0.06)->mesh();
   const Mesh ball = two;
   const auto count = static_cast<std::uint32_t>(ball.vertices.size());
@@ -48,7 +48,7 @@ TEST(Overlap, InsideOfTwoOverlappingBallsIsInside) {
   EXPECT_EQ(inside.depth_along_z({0, 0, 0.055}), 0);
 }
 
-TEST(Overlap, WindingNumberIsOneInsideAndHalfAtACutPlane) {
+TEST(Inside, WindingNumberIsOneInsideAndHalfAtACutPlane) {
   const Mesh mesh = make_sphere(0.06)->mesh();
   EXPECT_NEAR(winding_number(mesh, mesh.triangles, {0.01, 0.005, -0.01}), 1, 1e-9);
   EXPECT_NEAR(winding_number(mesh, mesh.triangles, {0.04, 0, 0}), 0, 1e-9);
@@ -61,7 +61,7 @@ TEST(Overlap, WindingNumberIsOneInsideAndHalfAtACutPlane) {
   EXPECT_NEAR(winding_number(mesh, lower, {0, 0, 0}), 0.5, 1e-3);
 }
 
-TEST(Overlap, DistanceToTrianglesAgreesWithTheSolid) {
+TEST(Inside, DistanceToTrianglesAgreesWithTheSolid) {
   const auto box = make_box({0.05, 0.04, 0.03});
   RandomStream random(2);
   for (int i = 0; i < 500; ++i) {
@@ -71,14 +71,14 @@ TEST(Overlap, DistanceToTrianglesAgreesWithTheSolid) {
   }
 }
 
-TEST(Overlap, DistanceToTrianglesMayStopEarly) {
+TEST(Inside, DistanceToTrianglesMayStopEarly) {
   const auto ball = make_sphere(0.06);
   const auto& triangles = ball->mesh().triangles;
   EXPECT_LE(distance_to_triangles(ball->mesh(), triangles, {0, 0, 0.028}, 1, 0.04), 0.04);
   EXPECT_EQ(distance_to_triangles(ball->mesh(), triangles, {0, 0, 0.5}, 0.1), 0.1);
 }
 
-TEST(Overlap, SurfacePointsLeaveNoHole) {
+TEST(Inside, SurfacePointsLeaveNoHole) {
   constexpr double kSpacing = 0.004;
   const auto box = make_box({0.05, 0.04, 0.001});
   const std::vector<Eigen::Vector3d> points = surface_points(box->mesh(), kSpacing);

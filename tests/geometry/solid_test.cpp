@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "graspdb/core/transform.h"
+#include "support/closed_surface.h"
 
 namespace graspdb {
 namespace {
@@ -26,14 +27,6 @@ Shapes shapes() {
 
 Eigen::Vector3d corner(const Mesh& mesh, const Triangle& triangle, std::size_t i) {
   return mesh.vertices[triangle[i]].cast<double>();
-}
-
-double volume(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    sum += corner(mesh, t, 0).dot(corner(mesh, t, 1).cross(corner(mesh, t, 2))) / 6;
-  }
-  return sum;
 }
 
 TEST(Solid, SphereDistances) {
@@ -77,7 +70,7 @@ TEST(Solid, ScaledMeasuresAsOneOfThatSize) {
     EXPECT_NEAR(half->distance(p), pipe->distance(p), 1e-15);
   }
   EXPECT_EQ(half->half_extents(), pipe->half_extents());
-  EXPECT_NEAR(volume(half->mesh()), volume(pipe->mesh()), 1e-9);
+  EXPECT_NEAR(testing::volume(half->mesh()), testing::volume(pipe->mesh()), 1e-9);
   EXPECT_THROW(scaled(pipe, 0), std::logic_error);
 }
 
@@ -126,10 +119,11 @@ TEST(Solid, MeshNormalsAreUnitAndPointOut) {
 }
 
 TEST(Solid, MeshHoldsTheVolume) {
-  EXPECT_NEAR(volume(make_sphere(0.06)->mesh()) / (4.0 / 3 * kPi * 27e-6), 1, 0.006);
-  EXPECT_NEAR(volume(make_cylinder(0.04, 0.2)->mesh()) / (kPi * 4e-4 * 0.2), 1, 0.003);
-  EXPECT_NEAR(volume(make_ring(0.026, 0.006)->mesh()) / (2 * kPi * 0.016 * kPi * 9e-6), 1, 0.02);
-  EXPECT_NEAR(volume(make_box({0.2, 0.1, 0.04})->mesh()), 8e-4, 1e-9);
+  EXPECT_NEAR(testing::volume(make_sphere(0.06)->mesh()) / (4.0 / 3 * kPi * 27e-6), 1, 0.006);
+  EXPECT_NEAR(testing::volume(make_cylinder(0.04, 0.2)->mesh()) / (kPi * 4e-4 * 0.2), 1, 0.003);
+  EXPECT_NEAR(testing::volume(make_ring(0.026, 0.006)->mesh()) / (2 * kPi * 0.016 * kPi * 9e-6), 1,
+              0.02);
+  EXPECT_NEAR(testing::volume(make_box({0.2, 0.1, 0.04})->mesh()), 8e-4, 1e-9);
 }
 
 TEST(Solid, ImpossibleSizeIsAFaultOfTheCaller) {

@@ -27,14 +27,14 @@ inline constexpr Intrinsics kCamera{.width = kSide,
                                     .cx = (kSide - 1) / 2.0,
                                     .cy = (kSide - 1) / 2.0};
 
-struct Picture {
+struct BarPicture {
   GrayImage gray{kSide, kSide};
   Mask mask{kSide, kSide};
 };
 
 // A bright bar that lies at this angle to the picture's x axis.
-inline Picture bar(double angle, double half_length = 36, double half_breadth = 12) {
-  Picture picture;
+inline BarPicture bar(double angle, double half_length = 36, double half_breadth = 12) {
+  BarPicture picture;
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
       const double u = x - kSide / 2.0, v = y - kSide / 2.0;
@@ -55,10 +55,10 @@ class BarDatabase : public ::testing::Test {
  protected:
   static constexpr std::size_t kBars = 8, kFlipped = 2;
   static double angle_of(std::size_t row) { return radians(20.0 * static_cast<double>(row)); }
-  static Picture square() { return bar(0, 20, 20); }
-  static Picture thin() { return bar(radians(90), 40, 5); }
+  static BarPicture square() { return bar(0, 20, 20); }
+  static BarPicture thin() { return bar(radians(90), 40, 5); }
 
-  static Row row(const Picture& picture, double angle, int grasp) {
+  static Row row(const BarPicture& picture, double angle, int grasp) {
     Row row;
     row.hog = describe(picture.gray, picture.mask, HogMode::kPaper);
     row.label[2] = static_cast<float>(angle);

@@ -13,9 +13,9 @@ namespace graspdb {
 namespace {
 
 using testing::bar;
+using testing::BarPicture;
 using testing::kCamera;
 using testing::kSide;
-using testing::Picture;
 
 class BarTracker : public testing::BarDatabase {
  protected:
@@ -24,7 +24,7 @@ class BarTracker : public testing::BarDatabase {
   }
 };
 
-Estimate show(Tracker& tracker, const Picture& picture) {
+Estimate show(Tracker& tracker, const BarPicture& picture) {
   return tracker.step({picture.gray, picture.mask, kCamera});
 }
 
@@ -67,7 +67,7 @@ TEST_F(BarTracker, ThePastDecidesWhatThePictureLeavesOpen) {
     Tracker tracker = this->tracker({.temporal = model, .neighbors = 5, .sigma_hog = 0.3});
     show(tracker, thin());
     EXPECT_EQ(show(tracker, bar(angle_of(kFlipped))).row, 8u);
-    show(tracker, Picture{});  // forgets
+    show(tracker, BarPicture{});  // forgets
     show(tracker, square());
     EXPECT_EQ(show(tracker, bar(angle_of(kFlipped))).row, 2u);
   }
@@ -119,7 +119,7 @@ TEST_F(BarTracker, AFrameWithoutAHandIsInvalidAndForgetsThePast) {
   Tracker tracker =
       this->tracker({.temporal = TemporalModel::kGaussian, .neighbors = 5, .sigma_hog = 0.3});
   show(tracker, thin());
-  EXPECT_FALSE(show(tracker, Picture{}).valid);
+  EXPECT_FALSE(show(tracker, BarPicture{}).valid);
   EXPECT_EQ(show(tracker, bar(angle_of(kFlipped))).row, 2u);
 }
 
@@ -142,7 +142,7 @@ TEST_F(BarTracker, ARowsOwnPictureIsAsFarAwayAsTheRowWas) {
 // The descriptor is stretched with its box: only the aspect ratio tells these apart.
 TEST_F(BarTracker, ABoxOfAnotherShapeIsNoHand) {
   Tracker tracker = this->tracker({.temporal = TemporalModel::kNone, .neighbors = 1});
-  Picture wide;
+  BarPicture wide;
   for (int y = 43; y < 53; ++y) {
     for (int x = 4; x < 92; ++x) wide.mask.at(x, y) = wide.gray.at(x, y) = 255;
   }

@@ -128,9 +128,9 @@ TEST(HandCheckReach, ATipWithoutPalmarSkinFails) {
   Hand hand = male();
   const std::vector<std::uint8_t> bones = strongest_bones(hand);
   const int index = finger_bone(0, kDistal);
-  const RigidTransform bone_from_palm = hand.hand_from_bone_at_bind[index].inverse();
+  const RigidTransform bone_from_hand = hand.hand_from_bone_at_bind[index].inverse();
   for (std::size_t v = 0; v < bones.size(); ++v) {
-    const Eigen::Vector3d place = bone_from_palm * hand.bind_mesh.vertices[v].cast<double>();
+    const Eigen::Vector3d place = bone_from_hand * hand.bind_mesh.vertices[v].cast<double>();
     if (bones[v] == index && place.z() < 0) hand.weights[v] = only(finger_bone(0, kMiddle));
   }
   expect_fail(check_reach(hand), "pulp gap, index", "palmar");

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <map>
 
 #include "graspdb/hand/check/hand_check.h"
 #include "graspdb/hand/check/hand_file_check.h"
 #include "graspdb/hand/hand.h"
 #include "graspdb/hand/rig/rig.h"
+#include "support/closed_surface.h"
 #include "support/compare_hands.h"
 
 namespace graspdb {
@@ -26,22 +26,12 @@ class DefaultHand : public ::testing::TestWithParam<Measures> {
 
 TEST_P(DefaultHand, SurfaceIsClosedAndOfOnePieceWithoutHandles) {
   const Mesh& mesh = hand_.bind_mesh;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  double volume = 0;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
-    const auto corner = [&](std::size_t i) { return mesh.vertices[t[i]].cast<double>(); };
-    volume += corner(0).dot(corner(1).cross(corner(2))) / 6;
-  }
-  for (const auto& [edge, count] : edges) {
-    ASSERT_EQ(count, 1);
-    ASSERT_TRUE(edges.contains({edge.second, edge.first}));
-  }
-  EXPECT_EQ(mesh.vertices.size() + mesh.triangles.size() - edges.size() / 2, 2);  // Euler
+  ASSERT_TRUE(testing::is_closed_surface(mesh));
+  EXPECT_EQ(2 * mesh.vertices.size(), mesh.triangles.size() + 4);  // Euler
   EXPECT_GE(mesh.triangles.size(), 8000);
   EXPECT_LE(mesh.triangles.size(), 12000);
-  EXPECT_GT(volume, 2.5e-4);  // cubic metres, with the forearm
-  EXPECT_LT(volume, 1.2e-3);
+  EXPECT_GT(testing::volume(mesh), 2.5e-4);  // cubic metres, with the forearm
+  EXPECT_LT(testing::volume(mesh), 1.2e-3);
 }
 
 TEST_P(DefaultHand, NormalsAreUnitAndPointOutwards) {

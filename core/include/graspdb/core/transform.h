@@ -27,6 +27,11 @@ Eigen::Matrix3d axis_rotation(int axis, double angle);
 // The smallest rotation that takes the direction of `from` to that of `to`; neither is zero.
 Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
+// The rotation whose axis `axis` (as above) lies along `first`, and whose next one (after z comes
+// x) lies as near to `second` as that allows. Neither is 0, nor are they parallel.
+Eigen::Matrix3d rotation_from_axes(int axis, const Eigen::Vector3d& first,
+                                   const Eigen::Vector3d& second);
+
 // The angle in radians, 0..pi, of the rotation that takes one to the other.
 double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 

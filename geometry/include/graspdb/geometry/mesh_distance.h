@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "graspdb/core/mesh.h"
+#include "graspdb/geometry/triangle.h"
 
 namespace graspdb {
 
@@ -29,16 +30,10 @@ class MeshDistance {
                   double bound = std::numeric_limits<double>::infinity()) const;
 
  private:
-  using Corners = std::array<Eigen::Vector3d, 3>;
   struct Normals {
     Eigen::Vector3d face;
     std::array<Eigen::Vector3d, 3> edges;  // from corner i to the next one
     std::array<Eigen::Vector3d, 3> corners;
-  };
-  enum Feature { kCornerA, kCornerB, kCornerC, kEdgeAb, kEdgeBc, kEdgeCa, kInside };
-  struct OnTriangle {
-    Eigen::Vector3d point;
-    Feature feature;
   };
   // An inner node has its two halves at `first` and `first + 1`, a leaf (`count` > 0) its
   // triangles.
@@ -49,8 +44,7 @@ class MeshDistance {
 
   std::vector<Normals> normals_of(const Mesh& mesh) const;
   void split(std::uint32_t node, std::uint32_t begin, std::span<std::uint32_t> part);
-  static OnTriangle nearest_on(const Corners& corners, const Eigen::Vector3d& point);
-  const Eigen::Vector3d& normal(std::uint32_t triangle, Feature feature) const;
+  const Eigen::Vector3d& normal(std::uint32_t triangle, NearestOnTriangle::Part part) const;
 
   std::vector<Corners> triangles_;
   std::vector<Normals> normals_;  // apart: a search looks at many corners and one normal
