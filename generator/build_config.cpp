@@ -8,11 +8,12 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/core/json/json_numbers.h"
+#include "graspdb/core/json/strict_json.h"
 #include "graspdb/core/text.h"
 #include "graspdb/database/database.h"
 #include "jitter.h"
@@ -52,24 +53,6 @@ std::string portable(const fs::path& path) {
 fs::path found(const std::string& path, const fs::path& beside) {
   if (fs::exists(beside / path)) return beside / path;
   return data_directory() / path;
-}
-
-// An object, nested no deeper than a configuration is: what follows recurses.
-json parse_object(const std::string& text, const std::string& file) {
-  constexpr int kDeepest = 4;
-  const auto fault = [&](const std::string& found) {
-    return Error({file, "config", "a JSON object of options", found});
-  };
-  try {
-    json root = json::parse(text, [&](int depth, json::parse_event_t, const json&) {
-      if (depth > kDeepest) throw fault("values nested too deep");
-      return true;
-    });
-    if (!root.is_object()) throw fault(root.type_name());
-    return root;
-  } catch (const json::exception& wrong) {
-    throw fault(wrong.what());
-  }
 }
 
 // JSON as TOML: the two differ in how a table joins key and value.
@@ -232,7 +215,6 @@ std::string config_to_json(const BuildConfig& config) {
   json hands = json::array(), hashes = json::object();
   for (const fs::path& hand : config.hands) hands.push_back(portable(hand));
   for (const auto& [id, hash] : config.grasp_hashes) hashes[std::to_string(id)] = hash;
-  const Eigen::Vector3d& towards = config.light.towards_light_in_camera;
   json root{{"hands", std::move(hands)},
             {"grasps", portable(config.grasps)},
             {"only", config.only},
@@ -246,7 +228,7 @@ std::string config_to_json(const BuildConfig& config) {
             {"light",
              {{"ambient", config.light.ambient},
               {"diffuse", config.light.diffuse},
-              {"towards_light_in_camera", {towards.x(), towards.y(), towards.z()}}}},
+              {"towards_light_in_camera", numbers(config.light.towards_light_in_camera)}}},
             {"hog", hog_name(config.hog)},
             {"hand_hashes", config.hand_hashes},
             {"grasp_hashes", std::move(hashes)}};
@@ -259,7 +241,10 @@ BuildConfig load_config(const fs::path& path) {
   const fs::path beside = fs::absolute(path).parent_path();
   const std::optional<std::string> stored = stored_json(path);
   if (!stored) return read_config(TomlTable::load(path), beside);
-  const json root = parse_object(*stored, path.string());
+  const json root = parse_strict_json(*stored, path.string(), "config");
+  if (!root.is_object()) {
+    throw Error({path.string(), "config", "a JSON object of options", root.type_name()});
+  }
   const std::string toml = toml_document(root);
   BuildConfig config = read_config(TomlTable::parse(toml, path.string()), beside);
   const BuildConfig whole{.jitter = {.light_deg = root.contains("jitter") ? 1.0 : 0.0}};
