@@ -14,7 +14,7 @@
 #include "graspdb/core/file.h"
 #include "graspdb/core/json/json_numbers.h"
 #include "graspdb/core/json/strict_json.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/database/database.h"
 #include "jitter.h"
 
@@ -31,8 +31,8 @@ constexpr Jitter kLargestJitter{.angles_deg = 30,
                                 .light_deg = 90,
                                 .seed = std::numeric_limits<int>::max(),
                                 .copies = 100};
-constexpr std::array<std::string_view, 3> kObjectsNames = {"held", "free", "both"};
-constexpr std::array<std::string_view, 2> kRendererNames = {"raster", "embree"};
+const std::vector<std::string_view> kObjectsNames = {"held", "free", "both"};
+const std::vector<std::string_view> kRendererNames = {"raster", "embree"};
 
 void check_range(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return;
@@ -75,13 +75,11 @@ std::string toml_document(const json& root) {
 }
 
 // The enumerator that `key` names, the first one if it is absent.
-template <typename Enum, std::size_t kCount>
+template <typename Enum>
 Enum read_name(const TomlTable& table, const std::string& key,
-               const std::array<std::string_view, kCount>& names) {
-  const std::string name = table.string_or(key, std::string(names[0]));
-  const auto known = std::ranges::find(names, name);
-  if (known == names.end()) table.fail(key, fmt::format("one of {}", fmt::join(names, ", ")), name);
-  return static_cast<Enum>(known - names.begin());
+               const std::vector<std::string_view>& names) {
+  if (!table.has(key)) return Enum{};
+  return static_cast<Enum>(std::ranges::find(names, table.choice(key, names)) - names.begin());
 }
 
 Light read_light(const TomlTable& table) {
@@ -89,8 +87,7 @@ Light read_light(const TomlTable& table) {
   light.ambient = table.number_or("ambient", light.ambient, 0, 1);
   light.diffuse = table.number_or("diffuse", light.diffuse, 0, 1);
   if (table.has("towards_light_in_camera")) {
-    const auto v = table.numbers("towards_light_in_camera", 3, -1e3, 1e3);
-    light.towards_light_in_camera = {v[0], v[1], v[2]};
+    light.towards_light_in_camera = table.vector3("towards_light_in_camera", -1e3, 1e3);
   }
   table.finish();
   return light;

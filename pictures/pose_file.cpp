@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/core/transform.h"
 #include "graspdb/hand/turns.h"
 
@@ -21,8 +21,7 @@ void refuse_old_turns(const TomlTable& table) {
 }
 
 Eigen::Vector3d degrees3(const TomlTable& table, const char* key) {
-  const std::vector<double> v = table.numbers(key, 3, -720, 720);
-  return Eigen::Vector3d(v[0], v[1], v[2]) * radians(1);
+  return table.vector3(key, -720, 720) * radians(1);
 }
 
 Eigen::Matrix3d read_rotation(const TomlTable& table) {

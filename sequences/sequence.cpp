@@ -6,16 +6,11 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/hand/rig/rig.h"
 
 namespace graspdb {
 namespace {
-
-Eigen::Vector3d vector3(const TomlTable& table, std::string_view key, double low, double high) {
-  const std::vector<double> v = table.numbers(key, 3, low, high);
-  return {v[0], v[1], v[2]};
-}
 
 Intrinsics read_camera(const TomlTable& table) {
   Intrinsics camera;
@@ -55,13 +50,13 @@ SequenceHand read_hand(const TomlTable& table) {
 // The light is the one of all keyframes that have none of their own.
 Look read_look(const TomlTable& table, Keyframe& otherwise) {
   Look look;
-  look.skin_bgr = vector3(table, "skin_bgr", 0, 255);
-  look.object_bgr = vector3(table, "object_bgr", 0, 255);
+  look.skin_bgr = table.vector3("skin_bgr", 0, 255);
+  look.object_bgr = table.vector3("object_bgr", 0, 255);
   look.ambient = table.number_or("ambient", look.ambient, 0, 1);
   look.skin_mottling = table.number_or("skin_mottling", 0, 0, 0.5);
   look.blur_px = table.number_or("blur_px", 0, 0, 10);
   look.sensor_noise = table.number("sensor_noise", 0, 50);
-  otherwise.towards_light = vector3(table, "towards_light", -1, 1);
+  otherwise.towards_light = table.vector3("towards_light", -1, 1);
   table.finish();
   return look;
 }
@@ -70,13 +65,13 @@ Keyframe read_keyframe(const TomlTable& table, const Keyframe& otherwise) {
   Keyframe key = otherwise;
   key.time = table.number("time_s", 0, 3600);
   key.closure = table.number("closure", 0, 1);
-  key.view = vector3(table, "view_deg", -720, 720) * (kPi / 180);
-  key.palm = vector3(table, "palm_mm", -5000, 5000) / 1000;
+  key.view = table.vector3("view_deg", -720, 720) * (kPi / 180);
+  key.palm = table.vector3("palm_mm", -5000, 5000) / 1000;
   if (table.has("wrist_deg")) {
     const std::vector<double> wrist = table.numbers("wrist_deg", 2, -80, 80);
     key.wrist = Eigen::Vector2d(wrist[0], wrist[1]) * (kPi / 180);
   }
-  if (table.has("towards_light")) key.towards_light = vector3(table, "towards_light", -1, 1);
+  if (table.has("towards_light")) key.towards_light = table.vector3("towards_light", -1, 1);
   table.finish();
   if (key.palm.z() < 0.1)
     table.fail("palm_mm", "a palm at least 100 mm in front of the camera", "less");

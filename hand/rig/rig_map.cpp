@@ -5,28 +5,17 @@
 
 #include <algorithm>
 
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 
 namespace graspdb {
 namespace {
 
 constexpr std::array<std::string_view, 5> kDigits = {"thumb", "index", "middle", "ring", "little"};
 
-bool read_is_left(const TomlTable& table) {
-  const std::string side = table.string("handedness");
-  if (side != "left" && side != "right") {
-    table.fail("handedness", "\"left\" or \"right\"", "\"" + side + "\"");
-  }
-  return side == "left";
-}
-
-Eigen::Vector3d read_vector(const TomlTable& table, std::string_view key) {
-  const std::vector<double> v = table.numbers(key, 3, -1e6, 1e6);
-  return {v[0], v[1], v[2]};
-}
+constexpr double kLargestCoordinate = 1e6;
 
 Eigen::Vector3d read_direction(const TomlTable& table, std::string_view key) {
-  const Eigen::Vector3d direction = read_vector(table, key);
+  const Eigen::Vector3d direction = table.vector3(key, -kLargestCoordinate, kLargestCoordinate);
   if (!(direction.norm() > 1e-6)) table.fail(key, "a direction", "a vector of length 0");
   return direction.normalized();
 }
@@ -57,7 +46,9 @@ TipPlace read_tip(const TomlTable& table, std::string_view digit) {
                fmt::format("{} of them", given));
   }
   if (table.has(digit)) return table.string(digit);
-  if (table.has(position)) return read_vector(table, position);
+  if (table.has(position)) {
+    return table.vector3(position, -kLargestCoordinate, kLargestCoordinate);
+  }
   if (table.has(beyond)) return table.number(beyond, 3, 60) / 1000;
   return std::monostate();
 }
@@ -138,7 +129,7 @@ RigMap load_rig_map(const std::filesystem::path& path) {
   RigMap map{.file = table.file(),
              .origin = table.string_or("origin", ""),
              .license = table.string_or("licence", ""),
-             .is_left = read_is_left(table),
+             .is_left = table.choice("handedness", {"left", "right"}) == "left",
              .meters_per_unit = table.number_or("metres_per_unit", 1, 1e-6, 1e3),
              .thumb_nail = read_direction(table, "thumb_nail"),
              .bones = read_bones(table.table("bones"))};

@@ -7,7 +7,7 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/grasps/closing.h"
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/hand/turns.h"
