@@ -59,8 +59,8 @@ void read_taxonomy(const TomlTable& table, Grasp& grasp) {
 }
 
 void read_touch(const TomlTable& table, Grasp& grasp) {
-  for (int digit = 0; digit < kDigitCount; ++digit) {
-    const std::string key(kDigitNames[static_cast<std::size_t>(digit)]);
+  for (int digit = 0; digit < kPalmAndDigitCount; ++digit) {
+    const std::string key(palm_or_digit_name(digit));
     if (!table.has(key)) continue;
     grasp.required_digits.push_back(digit);
     for (const std::string& name : table.strings(key)) {
@@ -77,7 +77,7 @@ void read_touch(const TomlTable& table, Grasp& grasp) {
   for (const int digit : grasp.free_digits) {
     if (std::count(grasp.required_digits.begin(), grasp.required_digits.end(), digit) != 0) {
       table.fail("free", "digits that touch nothing",
-                 std::string(kDigitNames[static_cast<std::size_t>(digit)]) + ", which touches");
+                 std::string(palm_or_digit_name(digit)) + ", which touches");
     }
   }
   table.finish();
@@ -88,7 +88,7 @@ void require_virtual_fingers_touch(const TomlTable& file, const Grasp& grasp) {
   for (const std::vector<int>& finger : grasp.virtual_fingers) {
     for (const int digit : finger) {
       if (std::count(grasp.required_digits.begin(), grasp.required_digits.end(), digit) == 0) {
-        const std::string name(kDigitNames[static_cast<std::size_t>(digit)]);
+        const std::string name(palm_or_digit_name(digit));
         file.fail("touch", name + ", which taxonomy.virtual_fingers names", "no " + name);
       }
     }

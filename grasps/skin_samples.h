@@ -12,7 +12,8 @@
 
 namespace graspdb {
 
-// 0 palm and metacarpals of the fingers, 1 thumb with its metacarpal, 2..5 the fingers; -1 forearm.
+// 0 palm and metacarpals of the fingers, 1 thumb with its metacarpal, 2..5 the fingers (digits.h:
+// palm or digit); -1 forearm.
 int digit_of_bone(int bone);
 
 // Where the next joint or the tip of a bone lies, in the bone's frame. The forearm has none.

@@ -11,6 +11,7 @@
 #include "glb.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/hand/digits.h"
 #include "proportions.h"
 #include "simplify.h"
 #include "skin.h"
@@ -93,8 +94,8 @@ std::string rig_map_text(const Hand& hand) {
     text += fmt::format("{0} = [\"{0}\"]\n", bone_name(bone));
   }
   text += "\n[tips]\n";
-  for (const std::string& tip : kTipNames) {
-    text += fmt::format("{} = \"{}\"\n", tip.substr(0, tip.find('_')), tip);
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    text += fmt::format("{} = \"{}\"\n", digit_name(digit), keypoint_name(tip_keypoint(digit)));
   }
   return text;
 }
