@@ -31,16 +31,23 @@ SequenceHand read_hand(const TomlTable& table) {
     return {.file = data_directory() / file};
   }
   WantedMeasures wanted;
-  wanted.length_mm = table.number("length_mm", 100, 240);
-  wanted.breadth_mm = table.number("breadth_mm", 36, 130);
-  const auto read = [&](const char* key, std::optional<double>& measure, double low, double high) {
-    if (table.has(key)) measure = table.number(key, low, high);
+  const MeasureRanges& ranges = kMeasureRanges;
+  const auto read = [&](const char* key, std::optional<double>& measure,
+                        const MeasureRange& range) {
+    measure = table.number(key, range.low, range.high);
   };
-  read("finger_length_mm", wanted.finger_length_mm, 49, 144);
-  read("finger_breadth_mm", wanted.finger_breadth_mm, 6, 34);
-  read("palm_thickness_mm", wanted.palm_thickness_mm, 9, 55);
-  read("forearm_breadth_mm", wanted.forearm_breadth_mm, 18, 113);
-  wanted.forearm_length_mm = table.number_or("forearm_length_mm", 220, 150, 300);
+  const auto read_if_any = [&](const char* key, std::optional<double>& measure,
+                               const MeasureRange& range) {
+    if (table.has(key)) read(key, measure, range);
+  };
+  read("length_mm", wanted.length_mm, ranges.length_mm);
+  read("breadth_mm", wanted.breadth_mm, ranges.breadth_mm);
+  read_if_any("finger_length_mm", wanted.finger_length_mm, ranges.finger_length_mm);
+  read_if_any("finger_breadth_mm", wanted.finger_breadth_mm, ranges.finger_breadth_mm);
+  read_if_any("palm_thickness_mm", wanted.palm_thickness_mm, ranges.palm_thickness_mm);
+  read_if_any("forearm_breadth_mm", wanted.forearm_breadth_mm, ranges.forearm_breadth_mm);
+  wanted.forearm_length_mm =
+      table.number_or("forearm_length_mm", 220, 150, ranges.forearm_length_mm.high);
   HandShape shape = in_proportion(default_hand_shape("male"), wanted);
   shape.name = table.string("name");
   table.finish();
