@@ -25,7 +25,7 @@ mkdir -p "$out"
 # Free rows too, so that empty hands are known; forearms of any length, as sleeves leave them (docs/tracking.md).
 "$graspdb" build --objects both --jitter-forearm 185 --jitter-copies 2 --out "$out/hands.graspdb"
 "$graspdb" verify "$out/hands.graspdb"
-"$graspdb" grasp sheet --all --out "$out/grasps.png"
+"$graspdb" grasp sheet --out "$out/grasps.png"
 
 if [ -n "$video" ]; then
     "$graspdb" track "$out/hands.graspdb" "$video" --json "$out/video.jsonl" --video "$out/video.mp4" "$@"
