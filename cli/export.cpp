@@ -10,7 +10,7 @@ namespace graspdb::cli {
 namespace {
 
 struct ExportArguments {
-  std::string database, format, out;
+  std::string database, format = "coco", out;
   RowSelection selection;
   CocoOptions coco;
 };
@@ -31,7 +31,6 @@ void add_export(CLI::App& app) {
       app.add_subcommand("export", "Write rows of a database as pictures in another format");
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("--format", options->format, "coco: COCO keypoints (docs/export.md)")
-      ->required()
       ->check(CLI::IsMember({"coco"}));
   verb->add_option("--out", options->out,
                    "The folder to write to: new, empty, or an earlier export")
@@ -45,9 +44,7 @@ void add_export(CLI::App& app) {
   verb->add_option("--threads", options->coco.threads,
                    "Threads, 0 for all processors; changes no byte")
       ->check(CLI::Range(0, 1024));
-  verb->footer(
-      "Example: graspdb export hands.graspdb --format coco --sample 5000 --resolution 256 --out "
-      "coco");
+  verb->footer("Example: graspdb export hands.graspdb --sample 5000 --resolution 256 --out coco");
   verb->callback([options] { run(*options); });
 }
 

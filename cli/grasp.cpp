@@ -118,10 +118,7 @@ void add_new(CLI::App& grasp) {
 }
 
 void add_common(CLI::App& verb, GraspArguments& options) {
-  CLI::Option* file = verb.add_option("FILE", options.file, "One grasp file");
-  verb.add_flag("--all")
-      ->description("All of the project's grasps, as without FILE")
-      ->excludes(file);
+  verb.add_option("FILE", options.file, "One grasp file [all of the project's grasps]");
   verb.add_option("--hand", options.hand, "A rigged hand [the male hand]");
 }
 

@@ -9,7 +9,7 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 
 namespace graspdb::cli {
 namespace {

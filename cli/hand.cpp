@@ -38,23 +38,27 @@ void add_make(CLI::App& verb) {
       ->required();
   make->add_option("--base", options->base, "The default hand to start from")
       ->check(CLI::IsMember(kDefaultHands));
-  const auto add = [make](const char* name, std::optional<double>& measure, const char* text,
-                          double low, double high) {
+  const auto add = [make](const char* name, std::optional<double>& measure,
+                          const MeasureRange& range, const char* text) {
     make->add_option(name, measure, text)
-        ->check(CLI::Range(low, high))
+        ->check(CLI::Range(range.low, range.high))
         ->default_str("the base hand's, in proportion");
   };
   WantedMeasures& wanted = options->wanted;
-  add("--length-mm", wanted.length_mm, "Wrist joint to middle fingertip, mm", 100, 240);
-  add("--breadth-mm", wanted.breadth_mm, "Across the knuckles without the thumb, mm", 36, 130);
-  add("--finger-length-mm", wanted.finger_length_mm, "Middle finger from MCP joint to tip, mm", 49,
-      144);
-  add("--finger-breadth-mm", wanted.finger_breadth_mm, "Index finger at its PIP joint, mm", 6, 34);
-  add("--palm-thickness-mm", wanted.palm_thickness_mm,
-      "Through the middle of the middle finger's metacarpal, mm", 9, 55);
-  add("--forearm-breadth-mm", wanted.forearm_breadth_mm,
-      "Just behind the wrist, an eighth of the hand's length from it, mm", 18, 113);
-  add("--forearm-mm", wanted.forearm_length_mm, "Forearm beyond the wrist joint, mm", 60, 300);
+  const MeasureRanges& ranges = kMeasureRanges;
+  add("--length-mm", wanted.length_mm, ranges.length_mm, "Wrist joint to middle fingertip, mm");
+  add("--breadth-mm", wanted.breadth_mm, ranges.breadth_mm,
+      "Across the knuckles without the thumb, mm");
+  add("--finger-length-mm", wanted.finger_length_mm, ranges.finger_length_mm,
+      "Middle finger from MCP joint to tip, mm");
+  add("--finger-breadth-mm", wanted.finger_breadth_mm, ranges.finger_breadth_mm,
+      "Index finger at its PIP joint, mm");
+  add("--palm-thickness-mm", wanted.palm_thickness_mm, ranges.palm_thickness_mm,
+      "Through the middle of the middle finger's metacarpal, mm");
+  add("--forearm-breadth-mm", wanted.forearm_breadth_mm, ranges.forearm_breadth_mm,
+      "Just behind the wrist, an eighth of the hand's length from it, mm");
+  add("--forearm-mm", wanted.forearm_length_mm, ranges.forearm_length_mm,
+      "Forearm beyond the wrist joint, mm");
   make->callback([options] { run_make(*options); });
 }
 

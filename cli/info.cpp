@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "graspdb/core/json/strict_json.h"
 #include "graspdb/database/database.h"
 #include "graspdb/pictures/row_sheet.h"
 #include "graspdb/renderer/image_io.h"
@@ -12,9 +11,15 @@
 namespace graspdb::cli {
 namespace {
 
+// What a database tells as JSON of its own, under that name.
+nlohmann::json told(const Database& database, const std::string& text, const char* key) {
+  return parse_strict_json(text, database.path().string(), key);
+}
+
 // Nothing of a file from before databases had one.
-nlohmann::json card_of(const DatabaseInfo& info) {
-  return info.data_card.empty() ? nlohmann::json() : nlohmann::json::parse(info.data_card);
+nlohmann::json card_of(const Database& database) {
+  const std::string& card = database.info().data_card;
+  return card.empty() ? nlohmann::json() : told(database, card, "data_card");
 }
 
 // What a reader must know before anything else; --json has the rest.
@@ -41,9 +46,9 @@ nlohmann::json to_json(const Database& database) {
           {"views", info.views},
           {"view_rule", info.view_rule},
           {"hog", info.hog},
-          {"config", nlohmann::json::parse(info.config)},
+          {"config", told(database, info.config, "config")},
           {"tool", info.tool},
-          {"data_card", card_of(info)},
+          {"data_card", card_of(database)},
           {"content_hash", database.content_hash()}};
 }
 
@@ -60,7 +65,7 @@ void print(const Database& database) {
     fmt::print("grasp    {:3} {}\n", grasp.id, grasp.name);
   fmt::print("views    {}\nhog      {}\nconfig   {}\ntool     {}\ncontent  {}\n", info.view_rule,
              info.hog, info.config, info.tool, database.content_hash());
-  print_card(card_of(info));
+  print_card(card_of(database));
 }
 
 struct InfoArguments {

@@ -50,18 +50,15 @@ double distance(const Neighbor& neighbor) {
   return std::sqrt(static_cast<double>(neighbor.squared_distance)) / 255;
 }
 
-const std::string& grasp_name(const Database& database, std::size_t row) {
-  return std::ranges::find(database.info().grasps, database.grasp(row), &GraspEntry::id)->name;
-}
-
 void print_json(const Database& database, const Query& query,
                 const std::vector<Neighbor>& neighbors) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Neighbor& neighbor : neighbors) {
     const std::size_t row = neighbor.row;
+    const int grasp = database.grasp(row);
     list.push_back({{"row", row},
                     {"distance", distance(neighbor)},
-                    {"grasp", {{"id", database.grasp(row)}, {"name", grasp_name(database, row)}}},
+                    {"grasp", {{"id", grasp}, {"name", grasp_name(database.info(), grasp)}}},
                     {"step", database.step(row)},
                     {"view", database.view(row)},
                     {"hand", database.info().hands[database.hand(row)].name},
@@ -78,8 +75,9 @@ void print_text(const Database& database, const std::vector<Neighbor>& neighbors
   for (const Neighbor& neighbor : neighbors) {
     const std::size_t row = neighbor.row;
     fmt::print("{:8.3f} {:8}  {:5} {:<25} {:4} {:5}  {}, {}\n", distance(neighbor), row,
-               database.grasp(row), grasp_name(database, row), database.step(row),
-               database.view(row), database.info().hands[database.hand(row)].name,
+               database.grasp(row), grasp_name(database.info(), database.grasp(row)),
+               database.step(row), database.view(row),
+               database.info().hands[database.hand(row)].name,
                database.info().variants[database.variant(row)]);
   }
 }

@@ -51,6 +51,11 @@ const std::string& Database::content_hash() const {
   return mapping_->content;
 }
 
+std::string grasp_name(const DatabaseInfo& info, int id) {
+  const auto found = std::ranges::find(info.grasps, id, &GraspEntry::id);
+  return found == info.grasps.end() ? "" : found->name;
+}
+
 LabelView Database::label(std::size_t row) const {
   return std::span<const float, kLabelSize>(mapping_->at<float>(kLabel, row), kLabelSize);
 }

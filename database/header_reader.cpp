@@ -3,13 +3,12 @@
 
 #include <cstring>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "graspdb/core/hash.h"
+#include "graspdb/core/json/strict_json.h"
 #include "header.h"
 #include "refuse.h"
-#include "strict_json.h"
 
 namespace graspdb {
 namespace {

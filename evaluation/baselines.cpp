@@ -28,11 +28,11 @@ std::size_t cheapest(std::size_t count, const std::vector<Target>& truth, const 
   return best;
 }
 
-Summary with_jitter(Summary summary, const std::vector<Keypoints>& joints,
-                    const std::vector<Target>& truth) {
+Summary with_unsteadiness(Summary summary, const std::vector<Keypoints>& joints,
+                          const std::vector<Target>& truth) {
   std::vector<Keypoints> true_joints;
   for (const Target& frame : truth) true_joints.push_back(frame.pose.joints);
-  summary.mean[kJitterMm] = jitter_mm(joints, true_joints);
+  summary.mean[kUnsteadinessMm] = unsteadiness_mm(joints, true_joints);
   return summary;
 }
 
@@ -45,7 +45,7 @@ Summary oracle_errors(const PoseGrid& grid, const std::vector<FrameOracle>& orac
     errors.push_back(oracle[i].errors);
     joints.push_back(grid.seen(best.pose, best.view, truth[i].pose).joints);
   }
-  return with_jitter(summarize(errors), joints, truth);
+  return with_unsteadiness(summarize(errors), joints, truth);
 }
 
 Summary constant_errors(const PoseGrid& grid, const std::vector<Target>& truth) {
@@ -65,7 +65,7 @@ Summary constant_errors(const PoseGrid& grid, const std::vector<Target>& truth) 
     errors.push_back(compare({seen, grasp}, frame));
     joints.push_back(seen.joints);
   }
-  return with_jitter(summarize(errors), joints, truth);
+  return with_unsteadiness(summarize(errors), joints, truth);
 }
 
 std::uint32_t random_row(const PoseGrid& grid, RandomStream& random) {
@@ -93,7 +93,7 @@ Summary random_errors(const PoseGrid& grid, const std::vector<Target>& truth, st
       if (i == 0) joints.push_back(seen.joints);
     }
   }
-  return with_jitter(summarize(errors), joints, truth);
+  return with_unsteadiness(summarize(errors), joints, truth);
 }
 
 }  // namespace

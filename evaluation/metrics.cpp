@@ -174,7 +174,8 @@ bool is_among_heaviest(const GraspWeights& weights, int type, std::size_t count)
   return static_cast<std::size_t>(before) < count;
 }
 
-double jitter_mm(const std::vector<Keypoints>& estimates, const std::vector<Keypoints>& truth) {
+double unsteadiness_mm(const std::vector<Keypoints>& estimates,
+                       const std::vector<Keypoints>& truth) {
   GRASPDB_CHECK(estimates.size() == truth.size());
   if (truth.size() < 3) return kNan;
   const auto off = [&](std::size_t i) -> Keypoints {

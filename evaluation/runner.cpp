@@ -72,7 +72,7 @@ void Runner::split_gaps(FrameResult& result, const std::vector<Hypothesis>& hypo
 EvalRun Runner::run(double alpha) const {
   EvalRun run{.temporal = model_, .alpha = alpha, .frames = frames_};
   run.errors = summarize(collect(frames_, &FrameResult::errors));
-  run.errors.mean[kJitterMm] = jitter_mm(joints_, true_joints(stage_.truth));
+  run.errors.mean[kUnsteadinessMm] = unsteadiness_mm(joints_, true_joints(stage_.truth));
   run.pose_error_gap = mean_gap(collect(frames_, &FrameResult::pose_error_gap));
   run.mpjpe_gap = mean_gap(collect(frames_, &FrameResult::mpjpe_gap));
   run.smallest_box_px = stage_.frames.camera.height;

@@ -27,7 +27,7 @@ constexpr std::array<Column, 13> kColumns = {{{kPoseError, "pose err", 2},
                                               {kGraspTop1, "top1 %", 0, 100},
                                               {kGraspTop5, "top5 %", 0, 100},
                                               {kGrasp17Top1, "17: top1", 0, 100},
-                                              {kJitterMm, "jitter mm"}}};
+                                              {kUnsteadinessMm, "jitter mm"}}};
 
 // Intervals take room; eval.json has those of all metrics.
 constexpr std::array<Column, 6> kSetColumns = {{{kPoseError, "pose error", 2},

@@ -9,13 +9,14 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/json/json_numbers.h"
+#include "graspdb/core/json/strict_json.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/database/database.h"
 #include "jitter.h"
 
@@ -32,8 +33,8 @@ constexpr Jitter kLargestJitter{.angles_deg = 30,
                                 .light_deg = 90,
                                 .seed = std::numeric_limits<int>::max(),
                                 .copies = 100};
-constexpr std::array<std::string_view, 3> kObjectsNames = {"held", "free", "both"};
-constexpr std::array<std::string_view, 2> kRendererNames = {"raster", "embree"};
+const std::vector<std::string_view> kObjectsNames = {"held", "free", "both"};
+const std::vector<std::string_view> kRendererNames = {"raster", "embree"};
 
 void check_range(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return;
@@ -56,24 +57,6 @@ fs::path found(const std::string& path, const fs::path& beside) {
   return data_directory() / path;
 }
 
-// An object, nested no deeper than a configuration is: what follows recurses.
-json parse_object(const std::string& text, const std::string& file) {
-  constexpr int kDeepest = 4;
-  const auto fault = [&](const std::string& found) {
-    return Error({file, "config", "a JSON object of options", found});
-  };
-  try {
-    json root = json::parse(text, [&](int depth, json::parse_event_t, const json&) {
-      if (depth > kDeepest) throw fault("values nested too deep");
-      return true;
-    });
-    if (!root.is_object()) throw fault(root.type_name());
-    return root;
-  } catch (const json::exception& wrong) {
-    throw fault(wrong.what());
-  }
-}
-
 // JSON as TOML: the two differ in how a table joins key and value.
 std::string toml_value(const json& value) {
   if (!value.is_structured()) return value.dump();
@@ -94,13 +77,11 @@ std::string toml_document(const json& root) {
 }
 
 // The enumerator that `key` names, the first one if it is absent.
-template <typename Enum, std::size_t kCount>
+template <typename Enum>
 Enum read_name(const TomlTable& table, const std::string& key,
-               const std::array<std::string_view, kCount>& names) {
-  const std::string name = table.string_or(key, std::string(names[0]));
-  const auto known = std::ranges::find(names, name);
-  if (known == names.end()) table.fail(key, fmt::format("one of {}", fmt::join(names, ", ")), name);
-  return static_cast<Enum>(known - names.begin());
+               const std::vector<std::string_view>& names) {
+  if (!table.has(key)) return Enum{};
+  return static_cast<Enum>(std::ranges::find(names, table.choice(key, names)) - names.begin());
 }
 
 Light read_light(const TomlTable& table) {
@@ -108,8 +89,7 @@ Light read_light(const TomlTable& table) {
   light.ambient = table.number_or("ambient", light.ambient, 0, 1);
   light.diffuse = table.number_or("diffuse", light.diffuse, 0, 1);
   if (table.has("towards_light_in_camera")) {
-    const auto v = table.numbers("towards_light_in_camera", 3, -1e3, 1e3);
-    light.towards_light_in_camera = {v[0], v[1], v[2]};
+    light.towards_light_in_camera = table.vector3("towards_light_in_camera", -1e3, 1e3);
   }
   table.finish();
   return light;
@@ -234,7 +214,6 @@ std::string config_to_json(const BuildConfig& config) {
   json hands = json::array(), hashes = json::object();
   for (const fs::path& hand : config.hands) hands.push_back(portable(hand));
   for (const auto& [id, hash] : config.grasp_hashes) hashes[std::to_string(id)] = hash;
-  const Eigen::Vector3d& towards = config.light.towards_light_in_camera;
   json root{{"hands", std::move(hands)},
             {"grasps", portable(config.grasps)},
             {"only", config.only},
@@ -248,7 +227,7 @@ std::string config_to_json(const BuildConfig& config) {
             {"light",
              {{"ambient", config.light.ambient},
               {"diffuse", config.light.diffuse},
-              {"towards_light_in_camera", {towards.x(), towards.y(), towards.z()}}}},
+              {"towards_light_in_camera", numbers(config.light.towards_light_in_camera)}}},
             {"hog", hog_name(config.hog)},
             {"hand_hashes", config.hand_hashes},
             {"grasp_hashes", std::move(hashes)}};
@@ -261,7 +240,10 @@ BuildConfig load_config(const fs::path& path) {
   const fs::path beside = fs::absolute(path).parent_path();
   const std::optional<std::string> stored = stored_json(path);
   if (!stored) return read_config(TomlTable::load(path), beside);
-  const json root = parse_object(*stored, path.string());
+  const json root = parse_strict_json(*stored, path.string(), "config");
+  if (!root.is_object()) {
+    throw Error({path.string(), "config", "a JSON object of options", root.type_name()});
+  }
   const std::string toml = toml_document(root);
   BuildConfig config = read_config(TomlTable::parse(toml, path.string()), beside);
   const BuildConfig whole{.jitter = {.light_deg = root.contains("jitter") ? 1.0 : 0.0}};

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/hash.h"
+#include "graspdb/core/json/json_numbers.h"
 #include "jitter.h"
 
 namespace graspdb {
@@ -21,10 +21,6 @@ using nlohmann::json;
 
 constexpr std::size_t kKeyDigits = 16;
 constexpr std::string_view kExtension = ".graspdb";
-
-json to_json(const Eigen::MatrixXd& values) {
-  return std::vector<double>(values.data(), values.data() + values.size());
-}
 
 // "male-held-003-", "male-held-2-003-", whatever the inputs.
 std::string name_of(const Plan& plan, const Shard& shard) {
@@ -55,10 +51,10 @@ std::string shard_inputs(const Plan& plan, const Shard& shard) {
               {"hand", config.hand_hashes[shard.hand]},
               {"grasp", config.grasp_hashes.at(plan.grasps[shard.grasp].id)},
               {"held", plan.variants[shard.variant].holds},
-              {"rest", to_json(plan.rest)},
-              {"closed", to_json(closed.angles)},
-              {"object_rotation", to_json(closed.hand_from_object.rotation)},
-              {"object_translation_m", to_json(closed.hand_from_object.translation)},
+              {"rest", numbers(plan.rest)},
+              {"closed", numbers(closed.angles)},
+              {"object_rotation", numbers(closed.hand_from_object.rotation)},
+              {"object_translation_m", numbers(closed.hand_from_object.translation)},
               {"steps", config.steps},
               {"views", config.views},
               {"view_rule", info.view_rule},
@@ -68,7 +64,7 @@ std::string shard_inputs(const Plan& plan, const Shard& shard) {
               {"renderer", renderer_name(config.renderer)},
               {"ambient", config.light.ambient},
               {"diffuse", config.light.diffuse},
-              {"towards_light_in_camera", to_json(config.light.towards_light_in_camera)},
+              {"towards_light_in_camera", numbers(config.light.towards_light_in_camera)},
               {"hog", info.hog},
               {"jitter", jitter_of(plan, shard)}}
       .dump();

@@ -48,11 +48,6 @@ const std::array<AngleTable, 6>& angle_tables() {
   return tables;
 }
 
-// Whole degrees such as -35 must not fail by the last bit of a conversion.
-double rounded_degrees(double angle) {
-  return std::round(degrees(angle) * 1e9) / 1e9;
-}
-
 }  // namespace
 
 JointAngles read_angles(const TomlTable& table, double otherwise) {
@@ -63,8 +58,7 @@ JointAngles read_angles(const TomlTable& table, double otherwise) {
     for (const auto& [key, angle] : digit.angles) {
       if (!found->has(key)) continue;
       const AngleInfo& info = angle_info(angle);
-      angles[angle] =
-          radians(found->number(key, rounded_degrees(info.lower), rounded_degrees(info.upper)));
+      angles[angle] = radians(found->number(key, info.lower_deg(), info.upper_deg()));
     }
     found->finish();
   }

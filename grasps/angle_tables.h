@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/hand/angles.h"
 
 namespace graspdb {

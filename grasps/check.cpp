@@ -20,10 +20,10 @@ constexpr double kGateMm = 2;
 constexpr double kCrossingMm = 0.2;
 constexpr double kRangeSlack = 1e-6;  // radians: closed poses are written to 1e-6 degrees
 
-using Gaps = std::array<double, kDigitCount>;
+using Gaps = std::array<double, kPalmAndDigitCount>;
 
 std::string_view name_of(int digit) {
-  return kDigitNames[static_cast<std::size_t>(digit)];
+  return palm_or_digit_name(digit);
 }
 
 bool is_in(int digit, const std::vector<int>& digits) {
@@ -84,7 +84,7 @@ void compare_virtual_fingers(const Grasp& grasp, const Gaps& gap_mm, GraspCheck&
   for (const std::vector<int>& finger : grasp.virtual_fingers) {
     named.insert(named.end(), finger.begin(), finger.end());
   }
-  for (int digit = 0; digit < kDigitCount; ++digit) {
+  for (int digit = 0; digit < kPalmAndDigitCount; ++digit) {
     const bool touches = gap_mm[static_cast<std::size_t>(digit)] <= kContactMm;
     const bool may_help = grasp.opposition == Opposition::kPalm && digit <= 1;
     if (is_in(digit, named) && !touches) check.missing_digits.emplace_back(name_of(digit));
@@ -123,9 +123,9 @@ void check_step(const StepCheck& step, GraspCheck& check) {
 
 // What has crossed the object, here or since the step before.
 void add_crossings(const CrossingDepths& here, const CrossingDepths& on_the_way, StepCheck& step) {
-  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
+  for (std::size_t digit = 0; digit < kPalmAndDigitCount; ++digit) {
     const double depth_mm = std::max(here[digit], on_the_way[digit]) * kMillimetersPerMeter;
-    if (depth_mm > kCrossingMm) step.crossed.emplace_back(kDigitNames[digit]);
+    if (depth_mm > kCrossingMm) step.crossed.emplace_back(kPalmAndDigitNames[digit]);
     step.crossing_mm = std::max(step.crossing_mm, depth_mm);
   }
 }

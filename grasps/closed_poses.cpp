@@ -7,7 +7,7 @@
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
 #include "graspdb/core/hash.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/grasps/closing.h"
 
 namespace graspdb {
@@ -18,17 +18,15 @@ std::string write_vector(const Eigen::Vector3d& v, int decimals) {
                      decimals);
 }
 
-Eigen::Vector3d read_vector(const TomlTable& table, std::string_view key) {
-  const std::vector<double> v = table.numbers(key, 3, -1000, 1000);
-  return {v[0], v[1], v[2]};
-}
+constexpr double kLargest = 1000;  // mm and degrees
 
 GraspPose read_pose(const TomlTable& table) {
   GraspPose pose;
   pose.angles = read_angles(table);
-  pose.hand_from_object.translation = read_vector(table, "object_position_mm") / 1000;
+  pose.hand_from_object.translation =
+      table.vector3("object_position_mm", -kLargest, kLargest) / 1000;
   pose.hand_from_object.rotation =
-      rotation_from_vector(read_vector(table, "object_rotation_deg") * radians(1));
+      rotation_from_vector(table.vector3("object_rotation_deg", -kLargest, kLargest) * radians(1));
   return pose;
 }
 
@@ -59,8 +57,8 @@ void save_closed_poses(const std::filesystem::path& path, const ClosedPoses& clo
   std::string text = fmt::format(
       "# Written by `graspdb grasp close`: each grasp closed on this hand. Do not edit.\n"
       "# object_rotation_deg is the rotation vector of the object's frame in the hand's.\n"
-      "hand = \"{}\"\nhand_length_mm = {:.4f}\n",
-      closed.hand, closed.hand_length * 1000);
+      "hand = {}\nhand_length_mm = {:.4f}\n",
+      toml_string(closed.hand), closed.hand_length * 1000);
   for (const auto& [id, pose] : closed.poses) {
     const RigidTransform& placed = pose.hand_from_object;
     const Eigen::Vector3d turned = vector_from_rotation(placed.rotation) / radians(1);

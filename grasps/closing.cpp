@@ -17,13 +17,15 @@ GraspPose opened(const ClosingProblem& problem, GraspPose pose) {
   constexpr double kShare = 0.9;
   constexpr int kTries = 20;
   for (int f = 0; f < kFingerCount; ++f) {
-    for (int i = 0; i < kTries && problem.penetration(f + 2, pose) > kClear; ++i) {
+    const int finger = with_palm(digit_of_finger(f));
+    for (int i = 0; i < kTries && problem.penetration(finger, pose) > kClear; ++i) {
       for (const FingerAngle joint : {kMcpFlexion, kPipFlexion, kDipFlexion}) {
         pose.angles[finger_angle(f, joint)] *= kShare;
       }
     }
   }
-  for (int i = 0; i < kTries && problem.penetration(1, pose) > kClear; ++i) {
+  const int thumb = with_palm(0);
+  for (int i = 0; i < kTries && problem.penetration(thumb, pose) > kClear; ++i) {
     pose.angles[kThumbCmcFlexion] -= radians(1);
     pose.angles[kThumbCmcAbduction] += radians(2);
     pose.angles[kThumbMcpFlexion] *= kShare;

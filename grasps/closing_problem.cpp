@@ -61,7 +61,7 @@ void ClosingProblem::find_sides() {
   const Posed posed = pose(start_);
   const Opposed contacts = opposed_contacts(posed);
   const double thumb_side = contacts.thumb[thin_axis_] < contacts.others[thin_axis_] ? -1 : 1;
-  std::array<double, kDigitCount> sides{};
+  std::array<double, kPalmAndDigitCount> sides{};
   for (const int digit : grasp_.required_digits) {
     if (digit == 0) continue;
     sides[static_cast<std::size_t>(digit)] = !grasp_.from_contacts ? side_over_face(digit, posed)

@@ -79,7 +79,8 @@ class ClosingProblem {
   std::vector<std::pair<int, int>> pairs_;  // bones that must not overlap
   Eigen::Vector3d contacts_to_object_;      // from the middle between contacts, hand frame
   Eigen::Index thin_axis_ = 0;
-  std::array<double, kDigitCount> side_{};  // of a thin object: +-1; 0 where it does not matter
+  std::array<double, kPalmAndDigitCount>
+      side_{};  // of a thin object: +-1; 0 where it does not matter
 };
 
 }  // namespace graspdb

@@ -25,7 +25,7 @@ std::vector<ContactArea> palm_areas() {
 std::vector<ContactArea> areas_of(int digit) {
   if (digit == 0) return palm_areas();
   const bool thumb = digit == 1;
-  const int distal = thumb ? kThumbDistal : finger_bone(digit - 2, kDistal);
+  const int distal = distal_bone(without_palm(digit));
   std::vector<ContactArea> areas = {area("pulp", digit, distal, 0.3, 0.85),
                                     area("tip", digit, distal, 0.6, 1.2),
                                     area("distal", digit, distal, 0, 1.2)};
@@ -58,9 +58,9 @@ std::string contact_area_names(int digit) {
 }
 
 std::optional<int> digit_from_name(std::string_view name) {
-  const auto found = std::find(kDigitNames.begin(), kDigitNames.end(), name);
-  if (found == kDigitNames.end()) return std::nullopt;
-  return static_cast<int>(found - kDigitNames.begin());
+  const auto found = std::find(kPalmAndDigitNames.begin(), kPalmAndDigitNames.end(), name);
+  if (found == kPalmAndDigitNames.end()) return std::nullopt;
+  return static_cast<int>(found - kPalmAndDigitNames.begin());
 }
 
 }  // namespace graspdb

@@ -16,7 +16,7 @@ namespace graspdb {
 bool passes_through(const Solid& solid, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 // By digit, metres; 0 where nothing has crossed.
-using CrossingDepths = std::array<double, kDigitCount>;
+using CrossingDepths = std::array<double, kPalmAndDigitCount>;
 
 // How far skin stands out of the object while the bone under it is on the other side. `skin` is the
 // posed hand's, `digit` says whose each vertex is.

@@ -10,7 +10,7 @@
 #include "contact_areas.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/geometry/mesh_solid.h"
 #include "graspdb/grasps/grasp.h"
 
@@ -22,22 +22,9 @@ namespace fs = std::filesystem;
 constexpr double kLargestMm = 1000;
 constexpr double kSmallestMm = 0.1;
 
-std::string one_of(const TomlTable& table, std::string_view key,
-                   const std::vector<std::string>& choices) {
-  std::string value = table.string(key);
-  if (std::find(choices.begin(), choices.end(), value) == choices.end()) {
-    std::string expected;
-    for (const std::string& choice : choices) expected += (expected.empty() ? "" : ", ") + choice;
-    table.fail(key, expected, value);
-  }
-  return value;
-}
-
 Eigen::Vector3d vector_or(const TomlTable& table, std::string_view key,
                           const Eigen::Vector3d& otherwise, double limit) {
-  if (!table.has(key)) return otherwise;
-  const std::vector<double> v = table.numbers(key, 3, -limit, limit);
-  return {v[0], v[1], v[2]};
+  return table.has(key) ? table.vector3(key, -limit, limit) : otherwise;
 }
 
 int digit_named(const TomlTable& table, std::string_view key, const std::string& name) {
@@ -61,19 +48,19 @@ std::vector<std::vector<int>> read_virtual_fingers(const TomlTable& table) {
 }
 
 void read_taxonomy(const TomlTable& table, Grasp& grasp) {
-  grasp.type = one_of(table, "type", {"power", "intermediate", "precision"});
-  const std::string opposition = one_of(table, "opposition", {"palm", "pad", "side"});
+  grasp.type = table.choice("type", {"power", "intermediate", "precision"});
+  const std::string opposition = table.choice("opposition", {"palm", "pad", "side"});
   grasp.opposition = opposition == "palm"  ? Opposition::kPalm
                      : opposition == "pad" ? Opposition::kPad
                                            : Opposition::kSide;
   grasp.virtual_fingers = read_virtual_fingers(table);
-  grasp.thumb_abducted = one_of(table, "thumb", {"abducted", "adducted"}) == "abducted";
+  grasp.thumb_abducted = table.choice("thumb", {"abducted", "adducted"}) == "abducted";
   table.finish();
 }
 
 void read_touch(const TomlTable& table, Grasp& grasp) {
-  for (int digit = 0; digit < kDigitCount; ++digit) {
-    const std::string key(kDigitNames[static_cast<std::size_t>(digit)]);
+  for (int digit = 0; digit < kPalmAndDigitCount; ++digit) {
+    const std::string key(palm_or_digit_name(digit));
     if (!table.has(key)) continue;
     grasp.required_digits.push_back(digit);
     for (const std::string& name : table.strings(key)) {
@@ -90,7 +77,7 @@ void read_touch(const TomlTable& table, Grasp& grasp) {
   for (const int digit : grasp.free_digits) {
     if (std::count(grasp.required_digits.begin(), grasp.required_digits.end(), digit) != 0) {
       table.fail("free", "digits that touch nothing",
-                 std::string(kDigitNames[static_cast<std::size_t>(digit)]) + ", which touches");
+                 std::string(palm_or_digit_name(digit)) + ", which touches");
     }
   }
   table.finish();
@@ -101,7 +88,7 @@ void require_virtual_fingers_touch(const TomlTable& file, const Grasp& grasp) {
   for (const std::vector<int>& finger : grasp.virtual_fingers) {
     for (const int digit : finger) {
       if (std::count(grasp.required_digits.begin(), grasp.required_digits.end(), digit) == 0) {
-        const std::string name(kDigitNames[static_cast<std::size_t>(digit)]);
+        const std::string name(palm_or_digit_name(digit));
         file.fail("touch", name + ", which taxonomy.virtual_fingers names", "no " + name);
       }
     }
@@ -110,7 +97,7 @@ void require_virtual_fingers_touch(const TomlTable& file, const Grasp& grasp) {
 
 // A path in a grasp file is seen from that file.
 std::shared_ptr<const Solid> read_mesh(const TomlTable& table, Grasp& grasp) {
-  const std::string unit = one_of(table, "unit", {"mm", "cm", "m"});
+  const std::string unit = table.choice("unit", {"mm", "cm", "m"});
   grasp.object_file = grasp.file.parent_path() / table.string("mesh");
   if (!fs::is_regular_file(grasp.object_file)) {
     table.fail("mesh", "a mesh file", "none at " + grasp.object_file.lexically_normal().string());
@@ -121,7 +108,7 @@ std::shared_ptr<const Solid> read_mesh(const TomlTable& table, Grasp& grasp) {
 }
 
 std::shared_ptr<const Solid> read_solid(const TomlTable& table, Grasp& grasp) {
-  const std::string shape = one_of(table, "shape", {"sphere", "cylinder", "box", "ring", "mesh"});
+  const std::string shape = table.choice("shape", {"sphere", "cylinder", "box", "ring", "mesh"});
   const auto meters = [&](std::string_view key) {
     return table.number(key, kSmallestMm, kLargestMm) / 1000;
   };
@@ -129,8 +116,7 @@ std::shared_ptr<const Solid> read_solid(const TomlTable& table, Grasp& grasp) {
   if (shape == "ring") return make_ring(meters("inner_diameter_mm"), meters("thickness_mm"));
   if (shape == "sphere") return make_sphere(meters("diameter_mm"));
   if (shape == "cylinder") return make_cylinder(meters("diameter_mm"), meters("length_mm"));
-  const std::vector<double> size = table.numbers("size_mm", 3, kSmallestMm, kLargestMm);
-  return make_box(Eigen::Vector3d(size[0], size[1], size[2]) / 1000);
+  return make_box(table.vector3("size_mm", kSmallestMm, kLargestMm) / 1000);
 }
 
 Eigen::Matrix3d read_rotation(const TomlTable& table) {
@@ -151,9 +137,10 @@ void read_object(const TomlTable& table, Grasp& grasp) {
   grasp.object_scales = table.boolean_or("scales_with_hand", false);
   grasp.start.hand_from_object.rotation = read_rotation(table);
   grasp.from_contacts = table.has("from_contacts_mm") && !table.has("position_mm");
-  const std::vector<double> p = table.numbers(
-      grasp.from_contacts ? "from_contacts_mm" : "position_mm", 3, -kLargestMm, kLargestMm);
-  grasp.start.hand_from_object.translation = Eigen::Vector3d(p[0], p[1], p[2]) / 1000;
+  grasp.start.hand_from_object.translation =
+      table.vector3(grasp.from_contacts ? "from_contacts_mm" : "position_mm", -kLargestMm,
+                    kLargestMm) /
+      1000;
   grasp.approach = vector_or(table, "approach_mm", Eigen::Vector3d::Zero(), kLargestMm) / 1000;
   table.finish();
 }

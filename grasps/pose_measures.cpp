@@ -48,8 +48,9 @@ Bounds bounds(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
   return box;
 }
 
-std::array<double, kDigitCount> gaps_mm(const Scenery& scenery, const std::vector<int>& digit) {
-  std::array<double, kDigitCount> gaps;
+std::array<double, kPalmAndDigitCount> gaps_mm(const Scenery& scenery,
+                                               const std::vector<int>& digit) {
+  std::array<double, kPalmAndDigitCount> gaps;
   gaps.fill(std::numeric_limits<double>::infinity());
   for (std::size_t v = 0; v < digit.size(); ++v) {
     if (digit[v] < 0) continue;
@@ -126,7 +127,8 @@ double shared_volume(const Grasp& grasp, const Scenery& scenery, const InsideTes
 
 PoseMeasures::PoseMeasures(const Hand& hand) : hand_(hand), bones_(strongest_bones(hand)) {
   for (const std::uint8_t bone : bones_) digit_.push_back(digit_of_bone(bone));
-  for (int d = 1; d < kDigitCount; ++d) tubes_[static_cast<std::size_t>(d) - 1] = phalanges(d);
+  for (int d = 0; d < kDigitCount; ++d)
+    tubes_[static_cast<std::size_t>(d)] = phalanges(with_palm(d));
 }
 
 PoseMeasures::Tube PoseMeasures::phalanges(int digit) const {

@@ -23,7 +23,7 @@ class PoseMeasures {
   struct Measured {
     StepCheck step;  // without its number and its crossings
     CrossingDepths crossed;
-    std::array<double, kDigitCount> gap_mm;  // from each digit's skin to the object
+    std::array<double, kPalmAndDigitCount> gap_mm;  // from each digit's skin to the object
   };
   Measured measure(const Grasp& grasp, const GraspPose& pose) const;
 
@@ -44,7 +44,7 @@ class PoseMeasures {
   const Hand& hand_;
   std::vector<std::uint8_t> bones_;  // that moves each vertex most
   std::vector<int> digit_;
-  std::array<Tube, kDigitCount - 1> tubes_;
+  std::array<Tube, kDigitCount> tubes_;
 };
 
 }  // namespace graspdb

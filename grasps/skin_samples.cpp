@@ -19,8 +19,8 @@ bool is_finger_metacarpal(int bone) {
 int digit_of_bone(int bone) {
   if (bone == kForearm) return -1;
   if (bone == kPalm || is_finger_metacarpal(bone)) return 0;
-  if (bone < kFirstFingerBone) return 1;
-  return 2 + (bone - kFirstFingerBone) / 4;
+  if (bone < kFirstFingerBone) return with_palm(0);
+  return with_palm(digit_of_finger((bone - kFirstFingerBone) / 4));
 }
 
 bool is_phalanx(int bone) {
@@ -35,7 +35,7 @@ Eigen::Vector3d bone_end(const Skeleton& skeleton, int bone) {
   if (bone == kThumbDistal) return skeleton.tip_in_distal[0];
   const int phalanx = (bone - kFirstFingerBone) % 4;
   if (bone >= kFirstFingerBone && phalanx == kDistal) {
-    return skeleton.tip_in_distal[static_cast<std::size_t>(digit_of_bone(bone) - 1)];
+    return skeleton.tip_in_distal[static_cast<std::size_t>(without_palm(digit_of_bone(bone)))];
   }
   return zero[index].inverse() * zero[index + 1].translation;
 }
@@ -50,7 +50,7 @@ SkinSamples::SkinSamples(const Hand& hand, int stride) {
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
     bone_at_bind_from_hand_[bone] = hand.hand_from_bone_at_bind[bone].inverse();
   }
-  std::array<int, kDigitCount> seen{};
+  std::array<int, kPalmAndDigitCount> seen{};
   for (std::size_t v = 0; v < strongest.size(); ++v) {
     const int digit = digit_of_bone(strongest[v]);
     if (digit < 0) continue;

@@ -12,7 +12,8 @@
 
 namespace graspdb {
 
-// 0 palm and metacarpals of the fingers, 1 thumb with its metacarpal, 2..5 the fingers; -1 forearm.
+// 0 palm and metacarpals of the fingers, 1 thumb with its metacarpal, 2..5 the fingers (digits.h:
+// palm or digit); -1 forearm.
 int digit_of_bone(int bone);
 
 // Two of the thumb's bones and three of each finger's.

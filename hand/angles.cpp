@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/transform.h"
@@ -38,7 +39,19 @@ double faded(double limit, double mcp_flexion) {
   return limit + (std::min(limit, narrow) - limit) * progress;
 }
 
+double rounded_degrees(double angle) {
+  return std::round(degrees(angle) * 1e9) / 1e9;
+}
+
 }  // namespace
+
+double AngleInfo::lower_deg() const {
+  return rounded_degrees(lower);
+}
+
+double AngleInfo::upper_deg() const {
+  return rounded_degrees(upper);
+}
 
 const AngleInfo& angle_info(int angle) {
   GRASPDB_CHECK(angle >= 0 && angle < kAngleCount);

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "json_numbers.h"
+#include "graspdb/core/json/json_numbers.h"
 
 namespace graspdb {
 namespace {
@@ -54,7 +52,7 @@ json of_graspdb(const Database& database, std::size_t row, const LabelledView& v
           {"camera_from_hand", numbers(camera.camera_from_hand.rotation, kAnglesPerUnit)},
           {"wrist_m", numbers(camera.camera_from_hand.translation, kLengthsPerUnit)},
           {"angles", numbers(view.angles, kAnglesPerUnit)},
-          {"keypoints_m", numbers(Eigen::MatrixXd(view.joints.transpose()), kLengthsPerUnit)}};
+          {"keypoints_m", numbers(view.joints.transpose(), kLengthsPerUnit)}};
 }
 
 json conventions(const Database& database) {

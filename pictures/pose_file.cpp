@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/pictures/pose_file.h"
 
-#include <cmath>
 #include <optional>
 
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/core/transform.h"
 #include "graspdb/hand/turns.h"
 
@@ -21,8 +20,7 @@ void refuse_old_turns(const TomlTable& table) {
 }
 
 Eigen::Vector3d degrees3(const TomlTable& table, const char* key) {
-  const std::vector<double> v = table.numbers(key, 3, -720, 720);
-  return Eigen::Vector3d(v[0], v[1], v[2]) * radians(1);
+  return table.vector3(key, -720, 720) * radians(1);
 }
 
 Eigen::Matrix3d read_rotation(const TomlTable& table) {
@@ -36,17 +34,11 @@ Eigen::Matrix3d read_rotation(const TomlTable& table) {
                                                : Eigen::Vector3d::Zero().eval());
 }
 
-// Whole degrees must not fail by the last bit of a conversion.
-double rounded_degrees(double angle) {
-  return std::round(degrees(angle) * 1e9) / 1e9;
-}
-
 JointAngles read_named_angles(const TomlTable& table) {
   JointAngles angles = JointAngles::Zero();
   for (int i = 0; i < kAngleCount; ++i) {
     const AngleInfo& info = angle_info(i);
-    angles[i] = radians(
-        table.number_or(info.name, 0, rounded_degrees(info.lower), rounded_degrees(info.upper)));
+    angles[i] = radians(table.number_or(info.name, 0, info.lower_deg(), info.upper_deg()));
   }
   table.finish();
   return angles;

@@ -2,11 +2,10 @@
 #include "graspdb/pictures/write_view.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "graspdb/core/file.h"
+#include "graspdb/core/json/json_numbers.h"
 #include "graspdb/renderer/image_io.h"
-#include "json_numbers.h"
 
 namespace graspdb {
 namespace {

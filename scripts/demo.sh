@@ -24,7 +24,7 @@ mkdir -p "$out"
 
 "$graspdb" build --preset tracking --out "$out/hands.graspdb"
 "$graspdb" verify "$out/hands.graspdb"
-"$graspdb" grasp sheet --all --out "$out/grasps.png"
+"$graspdb" grasp sheet --out "$out/grasps.png"
 
 if [ -n "$video" ]; then
     "$graspdb" track "$out/hands.graspdb" "$video" --json "$out/video.jsonl" --video "$out/video.mp4" "$@"

@@ -6,16 +6,11 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/hand/rig/rig.h"
 
 namespace graspdb {
 namespace {
-
-Eigen::Vector3d vector3(const TomlTable& table, std::string_view key, double low, double high) {
-  const std::vector<double> v = table.numbers(key, 3, low, high);
-  return {v[0], v[1], v[2]};
-}
 
 Intrinsics read_camera(const TomlTable& table) {
   Intrinsics camera;
@@ -36,16 +31,23 @@ SequenceHand read_hand(const TomlTable& table) {
     return {.file = data_directory() / file};
   }
   WantedMeasures wanted;
-  wanted.length_mm = table.number("length_mm", 100, 240);
-  wanted.breadth_mm = table.number("breadth_mm", 36, 130);
-  const auto read = [&](const char* key, std::optional<double>& measure, double low, double high) {
-    if (table.has(key)) measure = table.number(key, low, high);
+  const MeasureRanges& ranges = kMeasureRanges;
+  const auto read = [&](const char* key, std::optional<double>& measure,
+                        const MeasureRange& range) {
+    measure = table.number(key, range.low, range.high);
   };
-  read("finger_length_mm", wanted.finger_length_mm, 49, 144);
-  read("finger_breadth_mm", wanted.finger_breadth_mm, 6, 34);
-  read("palm_thickness_mm", wanted.palm_thickness_mm, 9, 55);
-  read("forearm_breadth_mm", wanted.forearm_breadth_mm, 18, 113);
-  wanted.forearm_length_mm = table.number_or("forearm_length_mm", 220, 150, 300);
+  const auto read_if_any = [&](const char* key, std::optional<double>& measure,
+                               const MeasureRange& range) {
+    if (table.has(key)) read(key, measure, range);
+  };
+  read("length_mm", wanted.length_mm, ranges.length_mm);
+  read("breadth_mm", wanted.breadth_mm, ranges.breadth_mm);
+  read_if_any("finger_length_mm", wanted.finger_length_mm, ranges.finger_length_mm);
+  read_if_any("finger_breadth_mm", wanted.finger_breadth_mm, ranges.finger_breadth_mm);
+  read_if_any("palm_thickness_mm", wanted.palm_thickness_mm, ranges.palm_thickness_mm);
+  read_if_any("forearm_breadth_mm", wanted.forearm_breadth_mm, ranges.forearm_breadth_mm);
+  wanted.forearm_length_mm =
+      table.number_or("forearm_length_mm", 220, 150, ranges.forearm_length_mm.high);
   HandShape shape = in_proportion(default_hand_shape("male"), wanted);
   shape.name = table.string("name");
   table.finish();
@@ -55,13 +57,13 @@ SequenceHand read_hand(const TomlTable& table) {
 // The light is the one of all keyframes that have none of their own.
 Look read_look(const TomlTable& table, Keyframe& otherwise) {
   Look look;
-  look.skin_bgr = vector3(table, "skin_bgr", 0, 255);
-  look.object_bgr = vector3(table, "object_bgr", 0, 255);
+  look.skin_bgr = table.vector3("skin_bgr", 0, 255);
+  look.object_bgr = table.vector3("object_bgr", 0, 255);
   look.ambient = table.number_or("ambient", look.ambient, 0, 1);
   look.skin_mottling = table.number_or("skin_mottling", 0, 0, 0.5);
   look.blur_px = table.number_or("blur_px", 0, 0, 10);
   look.sensor_noise = table.number("sensor_noise", 0, 50);
-  otherwise.towards_light = vector3(table, "towards_light", -1, 1);
+  otherwise.towards_light = table.vector3("towards_light", -1, 1);
   table.finish();
   return look;
 }
@@ -70,13 +72,13 @@ Keyframe read_keyframe(const TomlTable& table, const Keyframe& otherwise) {
   Keyframe key = otherwise;
   key.time = table.number("time_s", 0, 3600);
   key.closure = table.number("closure", 0, 1);
-  key.view = vector3(table, "view_deg", -720, 720) * (kPi / 180);
-  key.palm = vector3(table, "palm_mm", -5000, 5000) / 1000;
+  key.view = table.vector3("view_deg", -720, 720) * (kPi / 180);
+  key.palm = table.vector3("palm_mm", -5000, 5000) / 1000;
   if (table.has("wrist_deg")) {
     const std::vector<double> wrist = table.numbers("wrist_deg", 2, -80, 80);
     key.wrist = Eigen::Vector2d(wrist[0], wrist[1]) * (kPi / 180);
   }
-  if (table.has("towards_light")) key.towards_light = vector3(table, "towards_light", -1, 1);
+  if (table.has("towards_light")) key.towards_light = table.vector3("towards_light", -1, 1);
   table.finish();
   if (key.palm.z() < 0.1)
     table.fail("palm_mm", "a palm at least 100 mm in front of the camera", "less");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <bit>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "graspdb/core/file.h"
+#include "graspdb/core/json/json_numbers.h"
 #include "graspdb/sequences/sequence.h"
 
 namespace graspdb {
@@ -23,24 +23,6 @@ void write_array(const fs::path& file, const std::vector<Value>& values) {
   out.commit();
 }
 
-json to_json(const RigidTransform& transform) {  // 3 x 4, row by row
-  json list = json::array();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) list.push_back(transform.rotation(row, column));
-    list.push_back(transform.translation[row]);
-  }
-  return list;
-}
-
-json to_json(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-json to_json(const Intrinsics& camera) {
-  return {{"width_px", camera.width}, {"height_px", camera.height}, {"fx_px", camera.fx},
-          {"fy_px", camera.fy},       {"cx_px", camera.cx},         {"cy_px", camera.cy}};
-}
-
 json sizes(const Mesh& mesh) {
   return {{"vertices", mesh.vertices.size()}, {"triangles", mesh.triangles.size()}};
 }
@@ -48,9 +30,9 @@ json sizes(const Mesh& mesh) {
 json describe_frame(const Hand& hand, const FrameGeometry& frame) {
   const RigidTransform& camera_from_hand = frame.camera_from_hand;
   const auto hand_from_bone = hand_from_bones(hand.skeleton, frame.pose.angles);
-  return {{"camera_from_object", to_json(camera_from_hand * frame.pose.hand_from_object)},
-          {"camera_from_forearm", to_json(camera_from_hand * hand_from_bone[kForearm])},
-          {"towards_light", to_json(frame.towards_light)}};
+  return {{"camera_from_object", numbers(camera_from_hand * frame.pose.hand_from_object)},
+          {"camera_from_forearm", numbers(camera_from_hand * hand_from_bone[kForearm])},
+          {"towards_light", numbers(frame.towards_light)}};
 }
 
 json bones_at_bind(const Hand& hand) {
@@ -58,7 +40,7 @@ json bones_at_bind(const Hand& hand) {
   for (int bone = 0; bone < kBoneCount; ++bone) {
     bones.push_back(
         {{"name", bone_name(bone)},
-         {"hand_from_bone", to_json(hand.hand_from_bone_at_bind[static_cast<std::size_t>(bone)])}});
+         {"hand_from_bone", numbers(hand.hand_from_bone_at_bind[static_cast<std::size_t>(bone)])}});
   }
   return bones;
 }
@@ -91,9 +73,9 @@ void write_meshes(const SequenceRenderer& renderer, const fs::path& directory) {
   json header = {{"name", spec.name},
                  {"frames_per_second", spec.frames_per_second},
                  {"visible_forearm_m", spec.visible_forearm},
-                 {"camera", to_json(spec.camera)},
-                 {"skin_bgr", to_json(spec.look.skin_bgr)},
-                 {"object_bgr", to_json(spec.look.object_bgr)},
+                 {"camera", camera_json(spec.camera)},
+                 {"skin_bgr", numbers(spec.look.skin_bgr)},
+                 {"object_bgr", numbers(spec.look.object_bgr)},
                  {"hand", sizes(hand.bind_mesh)},
                  {"bones", bones_at_bind(hand)},
                  {"object", nullptr},

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/core/json/json_numbers.h"
+#include "graspdb/core/json/strict_json.h"
 #include "graspdb/core/parallel.h"
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/noise.h"
@@ -17,25 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-template <typename Matrix>
-json numbers(const Matrix& matrix) {  // row by row
-  json list = json::array();
-  for (int row = 0; row < matrix.rows(); ++row) {
-    for (int column = 0; column < matrix.cols(); ++column) list.push_back(matrix(row, column));
-  }
-  return list;
-}
-
-template <typename Matrix>
-void read_numbers(const json& list, Matrix& matrix) {
-  if (list.size() != static_cast<std::size_t>(matrix.size()))
-    throw json::out_of_range::create(401, "wrong count", nullptr);
-  std::size_t next = 0;
-  for (int row = 0; row < matrix.rows(); ++row) {
-    for (int column = 0; column < matrix.cols(); ++column)
-      matrix(row, column) = list.at(next++).get<double>();
-  }
-}
+using JointRows = Eigen::Matrix<double, kKeypointCount, 3>;
 
 json to_json(const FrameTruth& truth, std::size_t frame, double occlusion) {
   return {{"frame", frame},
@@ -45,34 +27,34 @@ json to_json(const FrameTruth& truth, std::size_t frame, double occlusion) {
           {"camera_from_hand", numbers(truth.camera_from_hand.rotation)},
           {"wrist_m", numbers(truth.camera_from_hand.translation)},
           {"angles", numbers(truth.angles)},
-          {"joints_m", numbers(Eigen::MatrixXd(truth.joints.transpose()))}};
+          {"joints_m", numbers(truth.joints.transpose())}};
 }
 
-FrameTruth truth_from_json(const json& line) {
-  FrameTruth truth;
-  truth.time = line.at("time_s").get<double>();
-  truth.closure = line.at("closure").get<double>();
-  read_numbers(line.at("camera_from_hand"), truth.camera_from_hand.rotation);
-  read_numbers(line.at("wrist_m"), truth.camera_from_hand.translation);
-  read_numbers(line.at("angles"), truth.angles);
-  Eigen::Matrix<double, kKeypointCount, 3> joints;
-  read_numbers(line.at("joints_m"), joints);
-  truth.joints = joints.transpose();
-  return truth;
+FrameTruth read_truth(const JsonFields& line) {
+  return {.time = line.number("time_s"),
+          .camera_from_hand = {line.matrix<Eigen::Matrix3d>("camera_from_hand"),
+                               line.matrix<Eigen::Vector3d>("wrist_m")},
+          .angles = line.matrix<JointAngles>("angles"),
+          .joints = line.matrix<JointRows>("joints_m").transpose(),
+          .closure = line.number("closure")};
+}
+
+std::vector<FrameTruth> read_truths(const std::filesystem::path& file) {
+  std::vector<FrameTruth> truths;
+  std::istringstream lines(read_text(file));
+  for (std::string line; std::getline(lines, line);) {
+    const std::string key = fmt::format("line {}", truths.size() + 1);
+    const json fields = parse_strict_json(line, file.string(), key);
+    truths.push_back(read_truth(JsonFields(fields, file.string(), key)));
+  }
+  return truths;
 }
 
 json describe_sequence(const SequenceRenderer& renderer, const SequenceNoise& noise) {
   const SequenceSpec& spec = renderer.spec();
-  const Intrinsics& camera = spec.camera;
   return {{"name", spec.name},
           {"frames_per_second", spec.frames_per_second},
-          {"camera",
-           {{"width_px", camera.width},
-            {"height_px", camera.height},
-            {"fx_px", camera.fx},
-            {"fy_px", camera.fy},
-            {"cx_px", camera.cx},
-            {"cy_px", camera.cy}}},
+          {"camera", camera_json(spec.camera)},
           {"hand", renderer.hand().name},
           {"grasp", spec.grasp.name},
           {"grasp_type", spec.grasp_type ? json(*spec.grasp_type) : json()},
@@ -94,19 +76,6 @@ void prepare_folder(const std::filesystem::path& directory) {
     }
     for (const auto& file : stale) std::filesystem::remove(file);
   }
-}
-
-void check_positive(const std::filesystem::path& file, const char* key, double value) {
-  if (value > 0) return;
-  throw Error({file.string(), key, "more than 0", fmt::format("{}", value)});
-}
-
-void check_header(const WrittenSequence& sequence, const std::filesystem::path& file) {
-  check_positive(file, "frames_per_second", sequence.frames_per_second);
-  check_positive(file, "camera.width_px", sequence.camera.width);
-  check_positive(file, "camera.height_px", sequence.camera.height);
-  check_positive(file, "camera.fx_px", sequence.camera.fx);
-  check_positive(file, "camera.fy_px", sequence.camera.fy);
 }
 
 }  // namespace
@@ -138,24 +107,13 @@ void write_sequence(const SequenceRenderer& renderer, const std::filesystem::pat
 }
 
 WrittenSequence read_sequence(const std::filesystem::path& directory) {
-  WrittenSequence sequence{.directory = directory};
-  auto file = directory / "sequence.json";
-  try {
-    const json header = json::parse(read_text(file));
-    const json& camera = header.at("camera");
-    sequence.camera = {camera.at("width_px"), camera.at("height_px"), camera.at("fx_px"),
-                       camera.at("fy_px"),    camera.at("cx_px"),     camera.at("cy_px")};
-    sequence.frames_per_second = header.at("frames_per_second").get<double>();
-    check_header(sequence, file);
-    file = directory / "truth.jsonl";
-    std::istringstream lines(read_text(file));
-    for (std::string line; std::getline(lines, line);) {
-      sequence.truth.push_back(truth_from_json(json::parse(line)));
-    }
-  } catch (const json::exception& fault) {
-    throw Error({file.string(), "", "what `graspdb sequence` writes", fault.what()});
-  }
-  return sequence;
+  const auto file = directory / "sequence.json";
+  const json root = parse_strict_json(read_text(file), file.string(), "");
+  const JsonFields header(root, file.string(), "");
+  return {.directory = directory,
+          .camera = read_camera(header.fields("camera")),
+          .frames_per_second = header.positive("frames_per_second"),
+          .truth = read_truths(directory / "truth.jsonl")};
 }
 
 }  // namespace graspdb

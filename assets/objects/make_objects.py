@@ -4,41 +4,14 @@
 import itertools
 import math
 import pathlib
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "scripts/objects"))
+# pylint: disable=wrong-import-position
+from surface import Surface, circle, write_objects
 
 HOLE = 4  # cells a side that are cut out of a surface where another part joins it
 THUMB_RING = (9, 35)  # of scissors: its middle towards the blades, and off the fingers
-
-
-class Surface:
-    """Loops of vertices joined by quads; every face is counter-clockwise from outside."""
-
-    def __init__(self):
-        self.vertices, self.faces = [], []
-
-    def loop(self, points):
-        self.vertices += points
-        return list(range(len(self.vertices) - len(points), len(self.vertices)))
-
-    def band(self, below, above, skipped=()):
-        """Quads between two loops, but for the columns `skipped`."""
-        for i in set(range(len(below))) - {c % len(below) for c in skipped}:
-            j = (i + 1) % len(below)
-            self.faces += [(below[i], below[j], above[j]), (below[i], above[j], above[i])]
-
-    def cap(self, loop, point):
-        (middle,) = self.loop([point])
-        self.faces += [(loop[i - 1], loop[i], middle) for i in range(len(loop))]
-
-    def write(self, name, what):
-        lines = [f"# {what} Millimetres. Made by make_objects.py, MIT."]
-        lines += ["v %.4f %.4f %.4f" % v for v in self.vertices]
-        lines += ["f %d %d %d" % tuple(i + 1 for i in face) for face in self.faces]
-        (pathlib.Path(__file__).parent / name).write_text("\n".join(lines) + "\n")
-
-
-def circle(radius, z, count=64):
-    turn = 2 * math.pi / count
-    return [(radius * math.cos(i * turn), radius * math.sin(i * turn), z) for i in range(count)]
 
 
 def border(loops, row, column):
@@ -70,15 +43,16 @@ def handle_path(radius, reach, middle, half, steps=24):
         yield point(angle), ((x1 - x0) / length, (z1 - z0) / length)
 
 
-def make_mug(radius=40.0, height=95.0, wall=4.0):
-    mug = Surface()
+def mug(radius=40.0, height=95.0, wall=4.0):
+    """A mug, 80 mm across, 95 mm high, with a handle along x."""
+    surface = Surface()
     profile = [(radius - 3, 0), (radius - 0.9, 0.9), (radius, 3)]
     profile += [(radius, 3 + 90 * i / 22) for i in range(1, 23)]
-    outside = [mug.loop(circle(r, z)) for r, z in profile]
+    outside = [surface.loop(circle(r, z)) for r, z in profile]
     holes = {row: border(outside, row, -HOLE // 2) for row in (4, 17)}
     for row in range(len(outside) - 1):
         cut = any(hole <= row < hole + HOLE for hole in holes)
-        mug.band(outside[row], outside[row + 1], range(-HOLE // 2, HOLE // 2) if cut else ())
+        surface.band(outside[row], outside[row + 1], range(-HOLE // 2, HOLE // 2) if cut else ())
 
     edge = wall / 2
     rim = [math.pi * i / 6 for i in range(1, 7)]
@@ -88,28 +62,28 @@ def make_mug(radius=40.0, height=95.0, wall=4.0):
     profile += [(15, 4)]
     last = outside[-1]
     for r, z in profile:
-        following = mug.loop(circle(r, z))
-        mug.band(last, following)
+        following = surface.loop(circle(r, z))
+        surface.band(last, following)
         last = following
-    mug.cap(last, (0, 0, 4))
-    inner = mug.loop(circle(18, 0))
-    mug.band(inner, outside[0])
-    mug.cap(inner[::-1], (0, 0, 0))
+    surface.cap(last, (0, 0, 4))
+    inner = surface.loop(circle(18, 0))
+    surface.band(inner, outside[0])
+    surface.cap(inner[::-1], (0, 0, 0))
 
     top, bottom = holes[17], holes[4]
     order = turn_order(top)
-    z = [sum(mug.vertices[v][2] for v in hole.values()) / len(hole) for hole in (bottom, top)]
+    z = [sum(surface.vertices[v][2] for v in hole.values()) / len(hole) for hole in (bottom, top)]
     last = [top[place] for place in order]
     for (x, at), (dx, dz) in handle_path(radius, 32, sum(z) / 2, (z[1] - z[0]) / 2):
         section = []
         for c, r in order:
             u, v = 6 * c / math.hypot(c, r), 4 * r / math.hypot(c, r)
             section.append((x - v * dz, u, at + v * dx))
-        following = mug.loop(section)
-        mug.band(last, following)
+        following = surface.loop(section)
+        surface.band(last, following)
         last = following
-    mug.band(last, [bottom[c, -r] for c, r in order])
-    mug.write("mug.obj", "A mug, 80 mm across, 95 mm high, with a handle along x.")
+    surface.band(last, [bottom[c, -r] for c, r in order])
+    return surface
 
 
 def ring_with_hole(surface, y, towards, inner=28.0, wire=7.0, rounds=48, sides=16):
@@ -129,13 +103,14 @@ def ring_with_hole(surface, y, towards, inner=28.0, wire=7.0, rounds=48, sides=1
     return border(loops, row, -HOLE // 2)
 
 
-def make_finger_rings():
-    rings = Surface()
-    one = ring_with_hole(rings, -24, math.pi / 2)
-    other = ring_with_hole(rings, 24, -math.pi / 2)
+def finger_rings():
+    """Two finger rings of 28 mm, joined, as on a pair of scissors."""
+    surface = Surface()
+    one = ring_with_hole(surface, -24, math.pi / 2)
+    other = ring_with_hole(surface, 24, -math.pi / 2)
     order = turn_order(one)
-    rings.band([one[place] for place in order], [other[c, -r] for c, r in order])
-    rings.write("finger_rings.obj", "Two finger rings of 28 mm, joined, as on a pair of scissors.")
+    surface.band([one[place] for place in order], [other[c, -r] for c, r in order])
+    return surface
 
 
 def to_segment(x, y, start, end):
@@ -156,12 +131,13 @@ def scissors_distance(x, y, z, wire=3.0):
     return min(solid, (math.hypot(across, z * (1.6 + t)) - 6 + 4 * t) / (1.6 + t))
 
 
-def make_scissors(step=2.0):
-    """Marching tetrahedra: each cube is cut into the six that share its diagonal."""
+def scissors(step=2.0):
+    """Scissors: a bow for four fingers and a thumb ring."""
+    # Marching tetrahedra: each cube is cut into the six that share its diagonal.
     low, counts = (-155.1, -21.7, -5.05), (102, 42, 6)
     around = (1, 3, 2, 6, 4, 5, 1)  # corners of a cube round its diagonal from 0 to 7
     tetrahedra = [(0, a, b, 7) for a, b in itertools.pairwise(around)]
-    scissors, values, cuts = Surface(), {}, {}
+    surface, values, cuts = Surface(), {}, {}
 
     def place(corner):
         return tuple(a + step * i for a, i in zip(low, corner))
@@ -176,7 +152,7 @@ def make_scissors(step=2.0):
         if (inside, outside) not in cuts:
             t = value(inside) / (value(inside) - value(outside))
             pair = zip(place(inside), place(outside))
-            cuts[inside, outside] = scissors.loop([tuple(a + t * (b - a) for a, b in pair)])[0]
+            cuts[inside, outside] = surface.loop([tuple(a + t * (b - a) for a, b in pair)])[0]
         return cuts[inside, outside]
 
     for x, y, z in itertools.product(*map(range, counts)):
@@ -184,8 +160,8 @@ def make_scissors(step=2.0):
         if len({value(corner) < 0 for corner in cube}) == 1:
             continue
         for tetrahedron in tetrahedra:
-            scissors.faces += cut_tetrahedron([cube[k] for k in tetrahedron], value, cut)
-    scissors.write("scissors.obj", "Scissors: a bow for four fingers and a thumb ring.")
+            surface.faces += cut_tetrahedron([cube[k] for k in tetrahedron], value, cut)
+    return surface
 
 
 def cut_tetrahedron(corners, value, cut):
@@ -205,6 +181,4 @@ def cut_tetrahedron(corners, value, cut):
 
 
 if __name__ == "__main__":
-    make_mug()
-    make_finger_rings()
-    make_scissors()
+    write_objects(__file__, [mug, finger_rings, scissors])

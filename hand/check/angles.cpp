@@ -52,7 +52,7 @@ Vector3d far_end(const Hand& hand, int bone) {
     for (int f = 0; f < kFingerCount; ++f) sum += frames[finger_bone(f, kMetacarpal)].translation;
     return sum / kFingerCount;
   }
-  for (int digit = 0; digit < 5; ++digit) {
+  for (int digit = 0; digit < kDigitCount; ++digit) {
     if (bone == distal_bone(digit)) {
       return frames[b] * hand.skeleton.tip_in_distal[static_cast<std::size_t>(digit)];
     }

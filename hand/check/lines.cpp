@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -64,16 +63,6 @@ HandCheckLine judged(const std::string& name, double value, const std::string& u
 HandCheckLine not_applicable(const std::string& name, const std::string& unit, const Gate& gate,
                              const std::string& why) {
   return {name, std::nan(""), unit, gate.text, Status::kNotApplicable, why};
-}
-
-std::string_view finger_name(int finger) {
-  constexpr std::array<std::string_view, kFingerCount> kNames = {"index", "middle", "ring",
-                                                                 "little"};
-  return kNames[static_cast<std::size_t>(finger)];
-}
-
-int distal_bone(int digit) {
-  return digit == 0 ? kThumbDistal : finger_bone(digit - 1, kDistal);
 }
 
 bool moves_skin(const Hand& hand, int bone) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graspdb/hand/check/hand_check.h"
+#include "graspdb/hand/digits.h"
 
 namespace graspdb {
 
@@ -25,12 +26,6 @@ HandCheckLine judged(const std::string& name, double value, const std::string& u
                      const Gate& gate, const std::string& why = "");
 HandCheckLine not_applicable(const std::string& name, const std::string& unit, const Gate& gate,
                              const std::string& why);
-
-// "index", "middle", "ring", "little"
-std::string_view finger_name(int finger);
-
-// The bone at the end of a digit, from the thumb (0) to the little finger (4).
-int distal_bone(int digit);
 
 bool moves_skin(const Hand& hand, int bone);
 std::string no_skin_on(int bone);  // "index_distal moves no skin"

@@ -5,11 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "graspdb/core/error.h"
+#include "graspdb/hand/digits.h"
 
 namespace graspdb {
-
-const std::array<std::string, 5> kTipNames = {"thumb_tip", "index_tip", "middle_tip", "ring_tip",
-                                              "little_tip"};
 
 namespace {
 
@@ -18,7 +16,7 @@ using Json = nlohmann::ordered_json;  // keys stay as written
 // Numbers of the glTF specification.
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kFloat = 5126;
-constexpr std::size_t kJointCount = kBoneCount + 5;
+constexpr std::size_t kJointCount = kBoneCount + kDigitCount;
 constexpr double kForearmJointM = .25;  // from the wrist, about where an elbow is
 
 class GlbWriter {
@@ -28,7 +26,7 @@ class GlbWriter {
       hand_from_joint_[b] = hand.hand_from_bone_at_bind[b];
     RigidTransform& forearm = hand_from_joint_[kForearm];
     forearm.translation = forearm * Eigen::Vector3d(0, -kForearmJointM, 0);
-    for (std::size_t tip = 0; tip < 5; ++tip) {
+    for (std::size_t tip = 0; tip < kDigitCount; ++tip) {
       const auto distal = static_cast<std::size_t>(parent_of(kBoneCount + tip));
       hand_from_joint_[kBoneCount + tip] = {
           hand_from_joint_[distal].rotation,
@@ -63,8 +61,11 @@ class GlbWriter {
  private:
   static int parent_of(std::size_t joint) {
     if (joint < kBoneCount) return bone_parent(static_cast<int>(joint));
-    const int digit = static_cast<int>(joint - kBoneCount);
-    return digit == 0 ? static_cast<int>(kThumbDistal) : finger_bone(digit - 1, kDistal);
+    return distal_bone(static_cast<int>(joint - kBoneCount));
+  }
+
+  static std::string_view name_of(int joint) {
+    return joint < kBoneCount ? bone_name(joint) : keypoint_name(tip_keypoint(joint - kBoneCount));
   }
 
   template <typename T>
@@ -163,8 +164,7 @@ class GlbWriter {
     for (std::size_t other = 0; other < kJointCount; ++other) {
       if (parent_of(other) == static_cast<int>(joint)) children.push_back(other + 1);
     }
-    Json node = {{"name", joint < kBoneCount ? std::string(bone_name(static_cast<int>(joint)))
-                                             : kTipNames[joint - kBoneCount]},
+    Json node = {{"name", name_of(static_cast<int>(joint))},
                  {"translation", {t.x(), t.y(), t.z()}},
                  {"rotation", {q.x(), q.y(), q.z(), q.w()}}};
     if (!children.empty()) node["children"] = children;

@@ -12,6 +12,7 @@
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
 #include "graspdb/geometry/topology.h"
+#include "graspdb/hand/digits.h"
 #include "proportions.h"
 #include "simplify.h"
 #include "skin.h"
@@ -70,14 +71,15 @@ void check(const HandShape& shape) {
                  .expected = fmt::format("{} to {}", low, high),
                  .found = fmt::format("{}", value)});
   };
-  within("length_mm", shape.length_mm, 100, 240);
+  within("length_mm", shape.length_mm, kMeasureRanges.length_mm.low, kMeasureRanges.length_mm.high);
   within("breadth_mm", shape.breadth_mm, .36 * shape.length_mm, .54 * shape.length_mm);
   const double length = shape.length_mm, breadth = shape.breadth_mm;
   within("finger_length_mm", shape.finger_length_mm, .49 * length, .60 * length);
   within("finger_breadth_mm", shape.finger_breadth_mm, .185 * breadth, .262 * breadth);
   within("palm_thickness_mm", shape.palm_thickness_mm, .25 * breadth, .42 * breadth);
   within("forearm_breadth_mm", shape.forearm_breadth_mm, .5 * breadth, .87 * breadth);
-  within("forearm_length_mm", shape.forearm_length_mm, 60, 300);
+  within("forearm_length_mm", shape.forearm_length_mm, kMeasureRanges.forearm_length_mm.low,
+         kMeasureRanges.forearm_length_mm.high);
 }
 
 std::string rig_map_text(const Hand& hand) {
@@ -94,8 +96,8 @@ std::string rig_map_text(const Hand& hand) {
     text += fmt::format("{0} = [\"{0}\"]\n", bone_name(bone));
   }
   text += "\n[tips]\n";
-  for (const std::string& tip : kTipNames) {
-    text += fmt::format("{} = \"{}\"\n", tip.substr(0, tip.find('_')), tip);
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    text += fmt::format("{} = \"{}\"\n", digit_name(digit), keypoint_name(tip_keypoint(digit)));
   }
   return text;
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "graspdb/hand/digits.h"
 #include "graspdb/hand/zero_pose.h"
 
 namespace graspdb {
@@ -33,7 +34,7 @@ struct Chain {
 
 Chain chain_of(const RestJoints& joints, int digit) {
   Chain chain;
-  chain.first_bone = digit == 0 ? kThumbMetacarpal : finger_bone(digit - 1, kProximal);
+  chain.first_bone = first_bone(digit);
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3d& end = i == 2 ? joints.tips[digit] : joints.origins[chain.first_bone + i + 1];
     chain.along[i] = end - joints.origins[chain.first_bone + i];
@@ -55,7 +56,7 @@ Vector3d ulnar_axis(const Chain& chain, int finger) {
 
 Skeleton skeleton_of(const RestJoints& joints) {
   HandMeasures measures;
-  for (int digit = 0; digit < 5; ++digit) {
+  for (int digit = 0; digit < kDigitCount; ++digit) {
     const Chain chain = chain_of(joints, digit);
     for (std::size_t i = 0; i < 3; ++i) measures.lengths[digit][i] = chain.along[i].norm();
     const Bone cmc = digit == 0 ? kThumbMetacarpal : finger_bone(digit - 1, kMetacarpal);
@@ -69,7 +70,7 @@ PerBone<RigidTransform> bone_frames(const RestJoints& joints, const Skeleton& sk
   // Metacarpals rest at their zero.
   PerBone<RigidTransform> frames = skeleton.hand_from_bone_at_zero;
   frames[kForearm].rotation = frame_along(-joints.origins[kForearm], Vector3d::UnitZ());
-  for (int digit = 0; digit < 5; ++digit) {
+  for (int digit = 0; digit < kDigitCount; ++digit) {
     const Chain chain = chain_of(joints, digit);
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector3d& along = chain.along[i];

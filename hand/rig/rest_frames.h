@@ -9,10 +9,6 @@
 
 namespace graspdb {
 
-inline std::size_t at(int bone) {
-  return static_cast<std::size_t>(bone);
-}
-
 // In any right-handed frame, metres.
 struct RestJoints {
   PerBone<Eigen::Vector3d> origins;  // proximal joints; the palm's is the wrist, the forearm's lies

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "graspdb/core/error.h"
+#include "graspdb/hand/digits.h"
 #include "rig_fault.h"
 
 namespace graspdb {
@@ -22,10 +23,6 @@ constexpr double kLargestRestBend = radians(150);
 // in WebXR's.
 constexpr double kCmcShare = .3;
 
-int first_bone(int digit) {
-  return digit == 0 ? kThumbMetacarpal : finger_bone(digit - 1, kProximal);
-}
-
 class JointReader {
  public:
   JointReader(const RigMap& map, const RigFile& file)
@@ -33,13 +30,13 @@ class JointReader {
 
   RestJoints read() {
     for (int bone = 0; bone < kBoneCount; ++bone) read_bone(bone);
-    for (int digit = 0; digit < 5; ++digit) read_tip(digit);
+    for (int digit = 0; digit < kDigitCount; ++digit) read_tip(digit);
     joints_.thumb_nail = (meters_from_file_ * map_.thumb_nail).normalized();
     joints_.finger_rolls = map_.finger_rolls;
     correct();
     add_absent();
     check_size();
-    for (int digit = 0; digit < 5; ++digit) check_chain(digit);
+    for (int digit = 0; digit < kDigitCount; ++digit) check_chain(digit);
     return joints_;
   }
 
@@ -67,7 +64,7 @@ class JointReader {
   }
 
   void read_tip(int digit) {
-    const int bone = first_bone(digit) + 2;
+    const int bone = distal_bone(digit);
     const Vector3d& distal = joints_.origins[bone];
     Vector3d& tip = joints_.tips[digit];
     const TipPlace& place = map_.tips[digit];
@@ -125,8 +122,8 @@ class JointReader {
 
   Vector3d far_end(int bone) const {
     if (bone == kPalm) return joints_.origins[finger_bone(1, kProximal)];
-    for (int digit = 0; digit < 5; ++digit) {
-      if (bone == first_bone(digit) + 2) return joints_.tips[digit];
+    for (int digit = 0; digit < kDigitCount; ++digit) {
+      if (bone == distal_bone(digit)) return joints_.tips[digit];
     }
     return joints_.origins[bone + 1];
   }
@@ -169,8 +166,8 @@ class JointReader {
   // Two joints at one place or in the wrong order give bones of no length, or that fold back.
   void check_chain(int digit) const {
     Vector3d before = Vector3d::Zero();
-    for (int bone = first_bone(digit); bone < first_bone(digit) + 3; ++bone) {
-      const bool is_last = bone == first_bone(digit) + 2;
+    for (int bone = first_bone(digit); bone <= distal_bone(digit); ++bone) {
+      const bool is_last = bone == distal_bone(digit);
       const std::string key = is_last ? tip_key(digit) : bone_key(bone + 1);
       const Vector3d along = far_end(bone) - joints_.origins[bone];
       if (!(along.norm() >= kShortestBoneM)) {
@@ -182,12 +179,6 @@ class JointReader {
       }
       before = along.normalized();
     }
-  }
-
-  static std::string tip_key(int digit) {
-    constexpr std::array<std::string_view, 5> kKeys = {"tips.thumb", "tips.index", "tips.middle",
-                                                       "tips.ring", "tips.little"};
-    return std::string(kKeys[digit]);
   }
 
   const RigMap& map_;

@@ -5,28 +5,16 @@
 
 #include <algorithm>
 
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
+#include "graspdb/hand/digits.h"
 
 namespace graspdb {
 namespace {
 
-constexpr std::array<std::string_view, 5> kDigits = {"thumb", "index", "middle", "ring", "little"};
-
-bool read_is_left(const TomlTable& table) {
-  const std::string side = table.string("handedness");
-  if (side != "left" && side != "right") {
-    table.fail("handedness", "\"left\" or \"right\"", "\"" + side + "\"");
-  }
-  return side == "left";
-}
-
-Eigen::Vector3d read_vector(const TomlTable& table, std::string_view key) {
-  const std::vector<double> v = table.numbers(key, 3, -1e6, 1e6);
-  return {v[0], v[1], v[2]};
-}
+constexpr double kLargestCoordinate = 1e6;
 
 Eigen::Vector3d read_direction(const TomlTable& table, std::string_view key) {
-  const Eigen::Vector3d direction = read_vector(table, key);
+  const Eigen::Vector3d direction = table.vector3(key, -kLargestCoordinate, kLargestCoordinate);
   if (!(direction.norm() > 1e-6)) table.fail(key, "a direction", "a vector of length 0");
   return direction.normalized();
 }
@@ -57,13 +45,16 @@ TipPlace read_tip(const TomlTable& table, std::string_view digit) {
                fmt::format("{} of them", given));
   }
   if (table.has(digit)) return table.string(digit);
-  if (table.has(position)) return read_vector(table, position);
+  if (table.has(position)) {
+    return table.vector3(position, -kLargestCoordinate, kLargestCoordinate);
+  }
   if (table.has(beyond)) return table.number(beyond, 3, 60) / 1000;
   return std::monostate();
 }
 
 void read_tips(const TomlTable& table, RigMap& map) {
-  for (std::size_t digit = 0; digit < 5; ++digit) map.tips[digit] = read_tip(table, kDigits[digit]);
+  for (int digit = 0; digit < kDigitCount; ++digit)
+    map.tips[static_cast<std::size_t>(digit)] = read_tip(table, digit_name(digit));
   table.finish();
 }
 
@@ -74,17 +65,15 @@ void index_names(const TomlTable& table, RigMap& map) {
       table.fail(bone_key(bone), "every bone once", fmt::format("\"{}\" twice", name));
     }
   }
-  for (std::size_t digit = 0; digit < 5; ++digit) {
-    const auto* name = std::get_if<std::string>(&map.tips[digit]);
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    const auto* name = std::get_if<std::string>(&map.tips[static_cast<std::size_t>(digit)]);
     if (name == nullptr) continue;
     // The skin of a distal bone and of its tip are one.
-    const int distal =
-        digit == 0 ? int{kThumbDistal} : finger_bone(static_cast<int>(digit) - 1, kDistal);
+    const int distal = distal_bone(digit);
     const bool is_new = map.bone_of_name.emplace(*name, distal).second;
     const auto& names = map.bones[static_cast<std::size_t>(distal)];
     if (is_new || std::find(names.begin() + 1, names.end(), *name) != names.end()) continue;
-    table.fail(fmt::format("tips.{}", kDigits[digit]), "a joint of its own",
-               fmt::format("\"{}\" twice", *name));
+    table.fail(tip_key(digit), "a joint of its own", fmt::format("\"{}\" twice", *name));
   }
 }
 
@@ -116,9 +105,9 @@ void read_corrections(const TomlTable& table, RigMap& map) {
     }
     map.moved_along[static_cast<std::size_t>(bone)] = table.number(key, -40, 40) / 1000;
   }
-  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    const std::string key = fmt::format("{}_roll_deg", kDigits[finger + 1]);
-    map.finger_rolls[finger] = radians(table.number_or(key, 0, -90, 90));
+  for (int finger = 0; finger < kFingerCount; ++finger) {
+    const std::string key = fmt::format("{}_roll_deg", finger_name(finger));
+    map.finger_rolls[static_cast<std::size_t>(finger)] = radians(table.number_or(key, 0, -90, 90));
   }
   table.finish();
 }
@@ -138,7 +127,7 @@ RigMap load_rig_map(const std::filesystem::path& path) {
   RigMap map{.file = table.file(),
              .origin = table.string_or("origin", ""),
              .license = table.string_or("licence", ""),
-             .is_left = read_is_left(table),
+             .is_left = table.choice("handedness", {"left", "right"}) == "left",
              .meters_per_unit = table.number_or("metres_per_unit", 1, 1e-6, 1e3),
              .thumb_nail = read_direction(table, "thumb_nail"),
              .bones = read_bones(table.table("bones"))};
@@ -155,6 +144,10 @@ RigMap load_rig_map(const std::filesystem::path& path) {
 
 std::string bone_key(int bone) {
   return fmt::format("bones.{}", bone_name(bone));
+}
+
+std::string tip_key(int digit) {
+  return fmt::format("tips.{}", digit_name(digit));
 }
 
 }  // namespace graspdb

@@ -52,5 +52,6 @@ struct RigMap {
 RigMap load_rig_map(const std::filesystem::path& path);
 
 std::string bone_key(int bone);  // e.g. "bones.index_proximal", for messages
+std::string tip_key(int digit);  // e.g. "tips.thumb"
 
 }  // namespace graspdb

@@ -8,6 +8,7 @@
 #include "graspdb/core/file.h"
 #include "program.h"
 #include "support/temporary_directory.h"
+#include "support/toy_database.h"
 
 namespace graspdb {
 namespace {
@@ -62,6 +63,16 @@ TEST(DatabaseVerbs, ADatabaseIsBuiltDescribedVerifiedIndexedAndSearched) {
   expect_refused(run_program("verify " + file), file);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   expect_refused(run_program("info " + file), file);
+}
+
+TEST(DatabaseVerbs, AConfigurationThatIsNoJsonIsRefusedWithTheFile) {
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory / "x.graspdb").string();
+  DatabaseInfo info = testing::toy_info();
+  info.config = "{\"views\": ";
+  write_database(file, info, testing::toy_rows(1));
+  EXPECT_EQ(run_program("info " + file).code, 0);
+  expect_refused(run_program("info --json " + file), file + ": 'config'");
 }
 
 TEST(DatabaseVerbs, AFailedBuildLeavesNothing) {

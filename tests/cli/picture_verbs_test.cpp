@@ -91,8 +91,8 @@ TEST_F(PictureVerbs, ChosenRowsAreExported) {
   }
   EXPECT_THAT(rows, ::testing::ElementsAre(2, 3, 4, 5, 9));
   const auto sampled = [&](const char* seed) {
-    run_program("export " + in("tiny.graspdb") + " --format coco --sample 5 --seed " + seed +
-                " --out " + in("sample"));
+    run_program("export " + in("tiny.graspdb") + " --sample 5 --seed " + seed + " --out " +
+                in("sample"));
     return json::parse(read_text(in("sample/annotations.json"))).at("images");
   };
   EXPECT_EQ(sampled("1").size(), 5u);
@@ -106,7 +106,8 @@ TEST_F(PictureVerbs, RowsThatAreNotThereAreNamed) {
     expect_refused(exporting + "--rows=" + rows, 1, "--rows");
   }
   expect_refused(exporting + "--grasp 3", 1, "none of these");
-  expect_refused("export " + in("tiny.graspdb"), 2, "--format");
+  expect_refused(exporting, 2, "--out");
+  expect_refused("export " + in("tiny.graspdb") + " --format yolo --out x", 2, "--format");
 }
 
 TEST_F(PictureVerbs, ASheetShowsRowsInEveryTile) {

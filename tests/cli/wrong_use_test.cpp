@@ -56,10 +56,6 @@ TEST(WrongUse, ACameraIsANumber) {
     expect_wrong_use(std::string("track db ") + camera, "camera:N");
 }
 
-TEST(WrongUse, OneGraspAndAllExcludeEachOther) {
-  expect_wrong_use("grasp check --all 09.grasp.toml", "excludes");
-}
-
 TEST(WrongUse, ListsDoNotSwallowWhatFollows) {
   // The database is told to be missing, not the argument.
   const Outcome outcome = run_program("eval --sequences s --alphas 0,1 none.graspdb");

@@ -19,6 +19,11 @@ using testing::toy_info;
 using testing::toy_row;
 using testing::toy_rows;
 
+TEST(Database, AGraspIsCalledByItsIdAndNothingWhereThereIsNone) {
+  EXPECT_EQ(grasp_name(toy_info(), 9), "Palmar Pinch");
+  EXPECT_EQ(grasp_name(toy_info(), 2), "");
+}
+
 TEST(Database, GivesBackItsDataCardAndNoneWhereThereIsNone) {
   const TemporaryDirectory directory;
   DatabaseInfo info = toy_info();

@@ -183,9 +183,11 @@ TEST_F(HostileFile, BrokenMetadataIsRefusedByName) {
   expect_refused(with(R"("tool":)", R"("fool":)"), "__metadata__.tool");
   expect_refused(with(R"(\"id\":9)", R"(\"id\":1)"), "grasps.id");
   expect_refused(with(R"(\"id\":9)", R"(\"id\":\"9\")"), "grasps.id");
+  expect_refused(with(R"(\"id\":9)", R"(\"id\":18446744069414584329)"), "grasps.id");
   expect_refused(with(R"("grasps":"[)", R"("grasps":"[[],)"), "grasps");
   expect_refused(with(R"("variants":"[)", R"("variants":"[1,)"), "variants");
-  expect_refused(with(R"(\"index_middle\")", R"(\"index_riddle\")"), "skeleton");
+  expect_refused(with(R"(\"index_middle\")", R"(\"index_riddle\")"),
+                 "skeleton.palm_from_bone_at_zero.index_middle");
   expect_refused(with(R"({\"resolution\":128})", R"({\"resolution\":129})"), "config_hash");
 }
 

@@ -120,9 +120,9 @@ TEST_F(BaselinesOfASmallGrid, TheJitterIsThatOfTheRowsTheyName) {
     truth.push_back(frame.pose.joints);
   }
   const Baselines base = baselines(*grid_, truth_, 3);
-  EXPECT_NEAR(base.oracle_mean.mean[kJitterMm], jitter_mm(best, truth), 1e-9);
-  EXPECT_GT(base.random.mean[kJitterMm], base.oracle_mean.mean[kJitterMm]);
-  EXPECT_GT(base.constant.mean[kJitterMm], 0);
+  EXPECT_NEAR(base.oracle_mean.mean[kUnsteadinessMm], unsteadiness_mm(best, truth), 1e-9);
+  EXPECT_GT(base.random.mean[kUnsteadinessMm], base.oracle_mean.mean[kUnsteadinessMm]);
+  EXPECT_GT(base.constant.mean[kUnsteadinessMm], 0);
 }
 
 TEST_F(BaselinesOfASmallGrid, ARandomRowHasTheMeanErrorOfAllRows) {

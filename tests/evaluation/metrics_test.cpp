@@ -183,12 +183,12 @@ TEST(Jitter, IsTheSecondDifferenceOfTheErrorOnly) {
   off.rightCols<20>().row(1).array() += 0.003;
   // A hand that moves is not jitter, nor is an error that stays or grows evenly.
   const std::vector<Keypoints> still(4, kFlat.joints), wrong(4, off);
-  EXPECT_NEAR(jitter_mm(wrong, still), 0, 1e-9);
-  EXPECT_NEAR(jitter_mm(wrong, wrong), 0, 1e-9);
+  EXPECT_NEAR(unsteadiness_mm(wrong, still), 0, 1e-9);
+  EXPECT_NEAR(unsteadiness_mm(wrong, wrong), 0, 1e-9);
   // To and fro: 3 - 2 * 0 + 3 or 0 - 2 * 3 + 0 mm in every joint.
   const std::vector<Keypoints> shaking = {off, kFlat.joints, off, kFlat.joints};
-  EXPECT_NEAR(jitter_mm(shaking, still), 6, 1e-9);
-  EXPECT_TRUE(std::isnan(jitter_mm({off, off}, {off, off})));
+  EXPECT_NEAR(unsteadiness_mm(shaking, still), 6, 1e-9);
+  EXPECT_TRUE(std::isnan(unsteadiness_mm({off, off}, {off, off})));
 }
 
 TEST(Percentile, IsTheValueOfTheNearestRank) {

@@ -285,7 +285,7 @@ TEST_F(Shards, AConfigurationThatIsNoneIsRefused) {
     EXPECT_THAT(refusal_of(json), HasSubstr("wrong.json: 'config'")) << json;
   }
   const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
-  EXPECT_THAT(refusal_of("{\"only\": " + deep + "}"), HasSubstr("too deep"));
+  EXPECT_THAT(refusal_of("{\"only\": " + deep + "}"), HasSubstr("deeper"));
   EXPECT_THAT(refusal_of(R"({"grasp_hashes": {"3x": "0"}})"), HasSubstr("grasp_hashes.3x"));
   EXPECT_THAT(refusal_of(R"({"grasp_hashes": {"99999999999": "0"}})"), HasSubstr("99999999999"));
   EXPECT_THAT(refusal_of(R"({"only": [1.5]})"), HasSubstr("only"));

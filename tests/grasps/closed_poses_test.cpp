@@ -56,6 +56,14 @@ TEST(ClosedPoses, AnglesAtTheirLimitsReturn) {
       load_closed_poses(folder / "toy.toml").poses.at(1).angles.isApprox(pose.angles, 1e-9));
 }
 
+TEST(ClosedPoses, TheHandMayHaveAnyName) {
+  const testing::TemporaryDirectory folder;
+  ClosedPoses closed = toy_poses({{1, random_pose(1)}});
+  closed.hand = "my \"left\\right\" hand";
+  save_closed_poses(folder / "toy.toml", closed);
+  EXPECT_EQ(load_closed_poses(folder / "toy.toml").hand, closed.hand);
+}
+
 TEST(ClosedPoses, RefuseOneNumberTwiceAndUnknownKeys) {
   const testing::TemporaryDirectory folder;
   save_closed_poses(folder / "toy.toml", toy_poses({{1, random_pose(1)}}));

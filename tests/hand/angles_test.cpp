@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "graspdb/core/transform.h"
 
 namespace graspdb {
@@ -13,6 +15,16 @@ TEST(Angles, FollowTheOrderOfTheLabel) {
   EXPECT_EQ(finger_angle(0, kMcpFlexion), 9);
   EXPECT_EQ(finger_angle(3, kDipFlexion), 27);
   EXPECT_EQ(angle_info(finger_angle(2, kPipFlexion)).name, "ring_pip_flexion");
+}
+
+TEST(Angles, RangesAreWholeDegrees) {
+  EXPECT_EQ(angle_info(kWristDeviation).lower_deg(), -35);
+  for (int i = 0; i < kAngleCount; ++i) {
+    const AngleInfo& info = angle_info(i);
+    EXPECT_EQ(info.lower_deg(), std::round(info.lower_deg())) << info.name;
+    EXPECT_EQ(info.upper_deg(), std::round(info.upper_deg())) << info.name;
+    EXPECT_NEAR(radians(info.upper_deg()), info.upper, 1e-12) << info.name;
+  }
 }
 
 TEST(Angles, ClampLeavesAllowedAnglesAlone) {

@@ -7,7 +7,7 @@
 
 #include "blender.h"
 #include "graspdb/core/file.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/hand/named_poses.h"
 #include "graspdb/hand/rig/rig.h"
 #include "support/compare_hands.h"

@@ -7,7 +7,7 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 #include "graspdb/grasps/closing.h"
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/hand/turns.h"
@@ -146,6 +146,45 @@ TEST_F(ShortSequence, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(read_gray(directory / "masks/000003.png"), renderer_->render(3).hand);
   EXPECT_NE(read_gray(directory / "noisy/000003.png"), renderer_->render(3).hand);
   EXPECT_EQ(read_color(directory / "frames/000002.png"), renderer_->render(2).color);
+}
+
+TEST_F(ShortSequence, WhatWasNotWrittenSoIsRefusedWithFileAndKey) {
+  const testing::TemporaryDirectory directory;
+  write_sequence(*renderer_, directory.path(), {});
+  const auto expect_refused = [&](const char* name, const std::string& from, const std::string& to,
+                                  const std::string& key) {
+    const std::filesystem::path file = directory / name;
+    const std::string good = read_text(file);
+    const std::size_t at = good.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write_text(file, std::string(good).replace(at, from.size(), to));
+    try {
+      read_sequence(directory.path());
+      ADD_FAILURE() << "accepted: " << to;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.fault().file, file.string());
+      EXPECT_EQ(error.fault().key, key) << error.what();
+    }
+    write_text(file, good);
+  };
+  const char* header = "sequence.json";
+  for (const char* width : {"1e99", "1e3", "99999999999999999999", "4294967456", "0", "-5",
+                            "100001", "true", "null", "\"160\""}) {
+    expect_refused(header, "\"width_px\": 160", std::string("\"width_px\": ") + width,
+                   "camera.width_px");
+  }
+  expect_refused(header, "\"height_px\"", "\"hight_px\"", "camera.height_px");
+  expect_refused(header, "\"fx_px\": 150.0", "\"fx_px\": 0", "camera.fx_px");
+  expect_refused(header, "\"cx_px\": 79.5", "\"cx_px\": null", "camera.cx_px");
+  expect_refused(header, "\"frames_per_second\": 10.0", "\"frames_per_second\": -1",
+                 "frames_per_second");
+  expect_refused(header, "\"camera\"", "\"kamera\"", "camera");
+  expect_refused(header, "{", "", "");
+  const char* truth = "truth.jsonl";
+  expect_refused(truth, "\"angles\":[", "\"angles\":[0,", "line 1.angles");
+  expect_refused(truth, "\"wrist_m\":[", "\"wrist_m\":[1e999,", "line 1");
+  expect_refused(truth, "\"frame\":1", "\"closure\":1", "line 2");
+  expect_refused(truth, "\n", "\n\n", "line 2");
 }
 
 TEST_F(ShortSequence, PicturesOfALongerOneBeforeAreRemoved) {

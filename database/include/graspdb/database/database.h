@@ -44,6 +44,9 @@ struct DatabaseInfo {
   std::string data_card = {};
 };
 
+// "" when there is none of that id.
+std::string grasp_name(const DatabaseInfo& info, int id);
+
 // One row before it is packed.
 struct Row {
   Label label{};

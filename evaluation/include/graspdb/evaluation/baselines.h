@@ -24,7 +24,7 @@ FrameOracle oracle(const PoseGrid& grid, const Target& truth);
 
 struct Baselines {
   std::vector<FrameOracle> oracle;  // a frame each
-  Summary oracle_mean;              // its jitter: of the rows that are best by mpjpe
+  Summary oracle_mean;              // its unsteadiness: of the rows that are best by mpjpe
   Summary random;                   // mean over random rows; types of grasp in random order
   Summary constant;  // the view and the pose that, kept all the time, are best for these frames
 };

@@ -44,7 +44,7 @@ struct EvalRun {
   TemporalModel temporal = TemporalModel::kNone;
   double alpha = 0;  // percent
   std::vector<FrameResult> frames;
-  Summary errors;  // with jitter
+  Summary errors;  // with unsteadiness
   Gap pose_error_gap, mpjpe_gap;
   double valid = 0;            // the share of frames with an answer
   double smallest_box_px = 0;  // height of the smallest hand box

@@ -34,7 +34,7 @@ enum Metric {
   kGrasp17Top1,   // the same on 17 merged classes
   kGrasp17Top5,   //
   kMetricCount,   // metrics of a frame
-  kJitterMm = kMetricCount,  // of a run of frames: see jitter_mm
+  kUnsteadinessMm = kMetricCount,  // of a run of frames: see unsteadiness_mm
   kRunMetricCount,
 };
 
@@ -93,8 +93,10 @@ int merged_class(int grasp_type);
 bool is_among_heaviest(const GraspWeights& weights, int type, std::size_t count);
 
 // Root mean square over frames and joints of the second difference over time of estimate minus
-// truth, wrists put together, mm a frame squared; NaN for fewer than three frames.
-double jitter_mm(const std::vector<Keypoints>& estimates, const std::vector<Keypoints>& truth);
+// truth, wrists put together, mm a frame squared; NaN for fewer than three frames. Files call it
+// jitter_mm, which has nothing to do with a database's jitter.
+double unsteadiness_mm(const std::vector<Keypoints>& estimates,
+                       const std::vector<Keypoints>& truth);
 
 // The smallest of these values, smallest first, that `percent` of them or more do not exceed
 // (nearest rank), 1 to 100; NaN for no values.

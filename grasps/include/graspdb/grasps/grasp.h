@@ -2,17 +2,16 @@
 // A grasp as its text file states it, and the five steps from rest to the closed hand.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "graspdb/core/transform.h"
 #include "graspdb/geometry/solid.h"
 #include "graspdb/hand/angles.h"
+#include "graspdb/hand/digits.h"
 
 namespace graspdb {
 
@@ -24,10 +23,7 @@ struct GraspPose {
 
 enum class Opposition { kPalm, kPad, kSide };
 
-// Digits are numbered as hand surgeons do; the palm is 0.
-constexpr int kDigitCount = 6;
-constexpr std::array<std::string_view, kDigitCount> kDigitNames = {"palm",   "thumb", "index",
-                                                                   "middle", "ring",  "little"};
+// In grasps a `digit` may be the palm, 0; the thumb is 1 (digits.h).
 
 // A stretch of one side of a bone (of the palm: of all that is not a digit), in shares of the
 // bone's length from its own joint (0) to the next one or the tip (1).

@@ -43,6 +43,10 @@ struct AngleInfo {
   std::string_view name;  // e.g. "index_pip_flexion"
   double lower;           // radians
   double upper;
+
+  // Degrees as people state them: whole ones do not fail by the last bit of a conversion.
+  double lower_deg() const;
+  double upper_deg() const;
 };
 
 const AngleInfo& angle_info(int angle);

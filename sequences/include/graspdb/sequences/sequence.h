@@ -151,7 +151,8 @@ struct WrittenSequence {
   double frames_per_second = 10;
   std::vector<FrameTruth> truth;
 };
-// Throws Error for what is missing, malformed or not positive.
+// Throws Error naming file and key for what is missing or is not what write_sequence writes:
+// pictures of 1 to 100,000 pixels a side, focal lengths and frames per second above 0.
 WrittenSequence read_sequence(const std::filesystem::path& directory);
 
 }  // namespace graspdb

@@ -27,6 +27,18 @@ struct HandShape {
 // The four default hands by name: male, female, slender, child. Throws Error for another name.
 HandShape default_hand_shape(const std::string& name);
 
+// Between what a measure may be, mm, from the smallest to the largest hand. Each hand must also be
+// in proportion, which make_hand checks.
+struct MeasureRange {
+  double low, high;
+};
+struct MeasureRanges {
+  MeasureRange length_mm{100, 240}, breadth_mm{36, 130}, finger_length_mm{49, 144},
+      finger_breadth_mm{6, 34}, palm_thickness_mm{9, 55}, forearm_breadth_mm{18, 113},
+      forearm_length_mm{60, 300};
+};
+constexpr MeasureRanges kMeasureRanges;
+
 // What is wanted of a hand. Measures that are not named stay in proportion to the base hand's:
 // breadth and what runs along the hand to the length, what runs across it to the breadth.
 struct WantedMeasures {

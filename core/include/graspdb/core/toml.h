@@ -3,6 +3,7 @@
 // of another kind or outside its range. Units are part of the key (`diameter_mm`, `pip_deg`).
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -29,8 +30,10 @@ class TomlTable {
   bool boolean_or(std::string_view key, bool otherwise) const;
   std::string string(std::string_view key) const;
   std::string string_or(std::string_view key, const std::string& otherwise) const;
+  std::string choice(std::string_view key, const std::vector<std::string_view>& names) const;
   // `size` numbers, or any count when size < 0.
   std::vector<double> numbers(std::string_view key, int size, double low, double high) const;
+  Eigen::Vector3d vector3(std::string_view key, double low, double high) const;  // each of them
   std::vector<std::string> strings(std::string_view key) const;
   TomlTable table(std::string_view key) const;
   std::optional<TomlTable> table_if_any(std::string_view key) const;
@@ -47,5 +50,8 @@ class TomlTable {
   explicit TomlTable(std::shared_ptr<Node> node);
   std::shared_ptr<Node> node_;
 };
+
+// The text as a TOML file states it: in quotes, with what they cannot hold escaped.
+std::string toml_string(std::string_view text);
 
 }  // namespace graspdb

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -120,6 +121,15 @@ std::string TomlTable::string_or(std::string_view key, const std::string& otherw
   return has(key) ? string(key) : otherwise;
 }
 
+std::string TomlTable::choice(std::string_view key,
+                              const std::vector<std::string_view>& names) const {
+  std::string name = string(key);
+  if (std::ranges::find(names, name) == names.end()) {
+    fail(key, fmt::format("one of {}", fmt::join(names, ", ")), toml_string(name));
+  }
+  return name;
+}
+
 std::vector<double> TomlTable::numbers(std::string_view key, int size, double low,
                                        double high) const {
   const toml::node* node = has(key) ? node_->table->get(key) : nullptr;
@@ -137,6 +147,11 @@ std::vector<double> TomlTable::numbers(std::string_view key, int size, double lo
     values.push_back(*value);
   }
   return values;
+}
+
+Eigen::Vector3d TomlTable::vector3(std::string_view key, double low, double high) const {
+  const std::vector<double> v = numbers(key, 3, low, high);
+  return {v[0], v[1], v[2]};
 }
 
 std::vector<std::string> TomlTable::strings(std::string_view key) const {
@@ -197,6 +212,21 @@ void TomlTable::finish() const {
     if (node_->known.contains(key.str())) continue;
     fail(key.str(), fmt::format("one of {}", fmt::join(node_->known, ", ")), "an unknown key");
   }
+}
+
+std::string toml_string(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      quoted += {'\\', c};
+    } else if (byte < 0x20 || byte == 0x7f) {
+      quoted += fmt::format("\\u{:04x}", byte);
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
 }
 
 }  // namespace graspdb

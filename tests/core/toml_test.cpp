@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "graspdb/core/text.h"
+#include "graspdb/core/toml.h"
 
 #include <gmock/gmock.h>
 
@@ -34,6 +34,33 @@ TEST(Toml, NamesFileKeyExpectationAndFinding) {
   EXPECT_THAT(message_of([&] { table.table("pose").number("pip_deg", -10, 110); }),
               AllOf(HasSubstr("grasp.toml"), HasSubstr("'pose.pip_deg'"),
                     HasSubstr("from -10 to 110"), HasSubstr("found 400")));
+}
+
+TEST(Toml, AVectorHasThreeNumbersInRange) {
+  const TomlTable table =
+      TomlTable::parse("v = [1, 2.5, -3]\nshort = [1, 2]\nfar = [0, 0, 9]", "f");
+  EXPECT_EQ(table.vector3("v", -3, 3), Eigen::Vector3d(1, 2.5, -3));
+  EXPECT_THAT(message_of([&] { table.vector3("short", -3, 3); }), HasSubstr("'short'"));
+  EXPECT_THAT(message_of([&] { table.vector3("far", -3, 3); }), HasSubstr("found 9"));
+}
+
+TEST(Toml, AChoiceIsOneOfTheNames) {
+  const TomlTable table = TomlTable::parse("side = 'left'\nunit = 'inch'", "f");
+  EXPECT_EQ(table.choice("side", {"left", "right"}), "left");
+  EXPECT_THAT(message_of([&] {
+                table.choice("unit", {"mm", "cm"});
+              }),
+              HasSubstr("'unit': expected one of mm, cm, found \"inch\""));
+  EXPECT_THAT(message_of([&] { table.choice("none", {"mm", "cm"}); }), HasSubstr("'none'"));
+}
+
+TEST(Toml, AnyTextReturnsFromItsQuotes) {
+  std::string text = "a \"quote\", a \\, ü";
+  for (char c = 1; c < 0x20; ++c) text += c;
+  text += '\x7f';
+  const std::string written = toml_string(text);
+  EXPECT_EQ(written.find('\n'), std::string::npos);
+  EXPECT_EQ(TomlTable::parse("name = " + written, "f").string("name"), text);
 }
 
 TEST(Toml, RefusesUnknownKeysNotANumberAndBrokenText) {
