@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "graspdb/core/camera.h"
+
 namespace graspdb {
 
 // Steps to which numbers are rounded.
