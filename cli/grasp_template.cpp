@@ -117,7 +117,7 @@ fs::path write_new_grasp(const std::string& name, const fs::path& directory) {
   const std::set<int> taken = numbers_in(directory);
   int number = kFirstOwnNumber;
   while (taken.count(number) != 0) ++number;
-  const fs::path file = directory / fmt::format("{}_{}.toml", number, stem);
+  fs::path file = directory / fmt::format("{}_{}.toml", number, stem);
   if (fs::exists(file)) {
     throw Error({.file = file.string(), .expected = "a new file", .found = "one of that name"});
   }

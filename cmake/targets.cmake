@@ -1,3 +1,15 @@
+# graspdb_private_headers(NAME LIBRARIES ...): the headers beside a folder's sources must compile alone,
+# too. Like the public ones they are compiled by the target all_verify_interface_header_sets only.
+function(graspdb_private_headers name)
+  file(GLOB headers CONFIGURE_DEPENDS *.h)
+  if(headers)
+    add_library(graspdb_${name}_private_headers INTERFACE)
+    target_sources(graspdb_${name}_private_headers INTERFACE FILE_SET HEADERS
+                   BASE_DIRS ${CMAKE_CURRENT_SOURCE_DIR} FILES ${headers})
+    target_link_libraries(graspdb_${name}_private_headers INTERFACE ${ARGN})
+  endif()
+endfunction()
+
 # One folder is one target. graspdb_library(NAME SOURCES ... HEADERS ... PUBLIC ... PRIVATE ...) makes
 # graspdb::NAME of the folder that calls it. Its public headers are include/graspdb/FOLDER/*.h, so that
 # an #include says which room it enters; each of them must compile alone.
@@ -28,4 +40,5 @@ function(graspdb_library name)
   target_sources(graspdb_${name} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
   target_link_libraries(graspdb_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE}
                         $<BUILD_INTERFACE:graspdb_warnings>)
+  graspdb_private_headers(${name} graspdb_${name} ${ARG_PRIVATE} graspdb_warnings)
 endfunction()

@@ -40,7 +40,7 @@ DatabaseObjects::Object DatabaseObjects::object_of(const Grasp& grasp) {
 
 std::string DatabaseObjects::beside(const SequenceSpec& sequence) const {
   const Object own = object_of(sequence.grasp);
-  const std::string text =
+  std::string text =
       fmt::format("{} {}{}", own.name, size_text(own.sides_mm),
                   sequence.object_visible ? "" : " (not there: the hand moves without it)");
   if (objects_.empty()) return text;

@@ -83,7 +83,7 @@ std::string grasp_hash(const Grasp& grasp) {
 std::filesystem::path keep_closed_poses(const std::vector<Grasp>& grasps, const Hand& hand,
                                         const std::vector<GraspPose>& poses) {
   GRASPDB_CHECK(!grasps.empty() && grasps.size() == poses.size());
-  const std::filesystem::path file = closed_poses_file(grasps.front(), hand);
+  std::filesystem::path file = closed_poses_file(grasps.front(), hand);
   ClosedPoses closed;
   if (std::filesystem::exists(file)) closed = load_closed_poses(file);
   if (!is_of(closed, hand)) {

@@ -90,7 +90,7 @@ Keypoints keypoints_in_hand(const Skeleton& skeleton,
   points.col(next++) = hand_from_bone[kPalm].translation;
   add_chain(kThumbMetacarpal, kThumbDistal, 0);
   for (int f = 0; f < kFingerCount; ++f) {
-    add_chain(finger_bone(f, kProximal), finger_bone(f, kDistal), static_cast<std::size_t>(f + 1));
+    add_chain(finger_bone(f, kProximal), finger_bone(f, kDistal), static_cast<std::size_t>(f) + 1);
   }
   return points;
 }

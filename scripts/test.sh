@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs every test: Release first, then again with the address
-# and undefined-behaviour sanitizers. At the end each reader of files is fuzzed for some seconds.
+# Checks the format, installs what is missing, builds, and runs every test: Release first, then again
+# with the address and undefined-behaviour sanitizers. At the end each reader of files is fuzzed for
+# some seconds.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+scripts/format.sh --check
 scripts/install.sh
 # The one hand that nobody here made: its tests are skipped where npm cannot fetch it.
 scripts/fetch_hands.sh || echo "WebXR's hands are not here: their tests are skipped"
