@@ -1,14 +1,19 @@
-# Everything that graspdb needs, all of it from Debian (scripts/packages.txt).
+# Everything that graspdb needs, all of it from Debian (scripts/packages.txt). What an installation
+# needs as well is in cmake/graspdbConfig.cmake.in.
 find_package(Eigen3 3.4 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
+if(GRASPDB_RUNTIME_ONLY)
+  return()
+endif()
 find_package(CLI11 2.1 REQUIRED)
 find_package(embree 3.13 REQUIRED)
 find_package(assimp 5.2 REQUIRED)
 find_package(OpenImageIO 2.4 REQUIRED)
 find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs videoio highgui)
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
-pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)

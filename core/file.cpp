@@ -99,15 +99,4 @@ void write_text(const fs::path& path, std::string_view text) {
   file.commit();
 }
 
-fs::path data_directory() {
-  if (const char* named = std::getenv("GRASPDB_DATA")) return named;
-  const fs::path installed = fs::read_symlink("/proc/self/exe").parent_path() / "../share/graspdb";
-  for (const fs::path& candidate : {fs::path(GRASPDB_SOURCE_DIR), installed}) {
-    if (fs::is_directory(candidate / "assets/hands")) return candidate.lexically_normal();
-  }
-  throw Error(
-      "the data of graspdb was not found: set GRASPDB_DATA to the folder that holds assets/ and "
-      "grasps/");
-}
-
 }  // namespace graspdb

@@ -42,9 +42,13 @@ void remove_leftovers(const std::filesystem::path& path);
 // Writes a small text file in one go, aside and renamed.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-// Where the project's data (hands, grasps, sequences) lies: $GRASPDB_DATA, else the source tree
-// that this program was built from, else <prefix>/share/graspdb. Throws Error when none of them is
-// there.
+// Where the project's data (hands, grasps, sequences) lies: what $GRASPDB_DATA names, as it stands;
+// else the first of these that holds data:
+//   PREFIX/share/graspdb, of a running program PREFIX/bin/NAME
+//   the source tree, for a program below the build folder of the project or of one that contains it
+//   share/graspdb of the prefix that the library was configured for
+// Asks anew at each call. Throws Error naming the places when none of them holds data. Thread-safe
+// while nobody changes the environment.
 std::filesystem::path data_directory();
 
 }  // namespace graspdb

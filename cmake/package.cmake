@@ -1,0 +1,11 @@
+# `cpack -G DEB` makes a Debian package of the program and its data, without headers and libraries.
+file(STRINGS CITATION.cff authors REGEX "- name:")
+string(REGEX REPLACE ".*\"(.*)\".*" "\\1" CPACK_PACKAGE_CONTACT "${authors}")
+set(CPACK_COMPONENTS_ALL program)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+include(CPack)
