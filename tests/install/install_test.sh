@@ -15,16 +15,18 @@ fail() {
     echo "install_test.sh: $*" >&2
     exit 1
 }
+# quietly COMMAND...: it succeeds, and what it says is in the file `said`.
+quietly() { "$@" >said 2>&1 || fail "$*: $(cat said)"; }
 # says TEXT COMMAND...: it succeeds, and TEXT (a regular expression) is in what it says.
 says() {
-    "${@:2}" >said 2>&1 && grep -Eq -- "$1" said || fail "${*:2}: expected '$1', found: $(cat said)"
+    quietly "${@:2}"
+    grep -Eq -- "$1" said || fail "${*:2}: expected '$1', found: $(cat said)"
 }
 # misses FILE COMMAND...: it fails, and names that file.
 misses() {
     ! "${@:2}" >said 2>&1 || fail "${*:2}: works without $1"
     grep -Fq -- "$1" said || fail "${*:2}: expected '$1', found: $(cat said)"
 }
-quietly() { "$@" >said 2>&1 || fail "$*: $(cat said)"; }
 graspdb() { "$prefix/bin/graspdb" "$@"; }
 
 echo "== the data are those of the sources, and nothing else"
