@@ -17,7 +17,7 @@ def files(pattern):
 
 
 def of_rooms(paths):
-    return [path for path in paths if not path.startswith("tests/")]
+    return [path for path in paths if not path.startswith(("tests/", "examples/"))]
 
 
 def targets_in(cell):
