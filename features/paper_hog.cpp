@@ -123,7 +123,8 @@ Descriptor describe_paper(const GrayImage& gray, const Mask& mask, const Box& bo
       add_row(votes.data(), inside, box.width, cells);
     }
     for (int i = 0; i < kCells; ++i) {
-      write_cell(cells[static_cast<std::size_t>(i)], descriptor.data() + (c * kCells + i) * kBins);
+      const std::ptrdiff_t cell = static_cast<std::ptrdiff_t>(c) * kCells + i;
+      write_cell(cells[static_cast<std::size_t>(i)], descriptor.data() + cell * kBins);
     }
   }
   return descriptor;

@@ -131,7 +131,7 @@ std::array<Share, kEdgeSide> shares_between_cells() {
   return shares;
 }
 
-using RowVotes = std::array<float, kCells * kBins>;  // of a row of cells
+using RowVotes = std::array<float, std::size_t{kCells} * kBins>;  // of a row of cells
 
 // Splits the weight between the two nearest directions and the two nearest cells.
 void vote(float position, float weight, const Share& share, RowVotes& votes) {
@@ -177,6 +177,7 @@ Descriptor describe_soft_edges(const GrayImage& gray, const Mask& mask, const Bo
   Descriptor descriptor;
   for (std::size_t i = 0; i < votes.size(); ++i) {
     const float share = std::min(votes[i] / kFullVotes, 1.0F);
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): never negative; databases hold these very bytes
     descriptor[i] = static_cast<std::uint8_t>(255 * std::sqrt(share) + 0.5F);
   }
   return descriptor;

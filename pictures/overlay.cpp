@@ -53,7 +53,8 @@ cv::Mat draw_hog(const Descriptor& hog, int side) {
     if (strength < 0.05) continue;
     // An edge runs across its gradient.
     const double angle = (i % 8 + 0.5) * kPi / 8 + kPi / 2;
-    const cv::Point2d center((i / 8 % 8 + 0.5) * cell, (i / 64 + 0.5) * cell);
+    const int column = i / 8 % 8, row = i / 64;
+    const cv::Point2d center((column + 0.5) * cell, (row + 0.5) * cell);
     const cv::Point2d half(std::cos(angle) * cell * 0.45, std::sin(angle) * cell * 0.45);
     cv::line(picture, center - half, center + half, cv::Scalar::all(60 + 195 * strength), 1,
              cv::LINE_AA);
