@@ -4,7 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cstring>
+#include <memory>
 
 #include "graspdb/core/error.h"
 
@@ -30,7 +30,7 @@ void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
   void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Element),
                                          std::max<std::size_t>(elements.size(), 1));
   GRASPDB_CHECK(buffer != nullptr);
-  if (!elements.empty()) std::memcpy(buffer, elements.data(), elements.size() * sizeof(Element));
+  std::uninitialized_copy(elements.begin(), elements.end(), static_cast<Element*>(buffer));
 }
 
 void check_mesh(const Mesh& mesh) {

@@ -18,8 +18,9 @@ PixelRays::PixelRays(const Camera& camera)
 
 void PixelRays::aim(int x, int y, embree::Visible mask, RTCRay16& rays) const {
   for (int i = 0; i < kLanes; ++i) {
-    const auto column = static_cast<float>(x + i % kTile);
-    const auto row = static_cast<float>(y + i / kTile);
+    const int across = i % kTile, down = i / kTile;
+    const auto column = static_cast<float>(x + across);
+    const auto row = static_cast<float>(y + down);
     rays.dir_x[i] = first_.x() + column * per_column_.x() + row * per_row_.x();
     rays.dir_y[i] = first_.y() + column * per_column_.y() + row * per_row_.y();
     rays.dir_z[i] = first_.z() + column * per_column_.z() + row * per_row_.z();

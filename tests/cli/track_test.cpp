@@ -156,7 +156,7 @@ void write_small_sequence(const fs::path& folder, double focal_px, int truth_lin
                       {"camera_from_hand", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
                       {"wrist_m", {0, 0, 0.5}},
                       {"angles", std::vector<double>(JointAngles::SizeAtCompileTime)},
-                      {"joints_m", std::vector<double>(3 * kKeypointCount)}};
+                      {"joints_m", std::vector<double>(std::size_t{3} * kKeypointCount)}};
   std::string lines;
   for (int i = 0; i < truth_lines; ++i) lines += truth.dump() + "\n";
   write_text(folder / "truth.jsonl", lines);

@@ -207,7 +207,7 @@ TEST_F(HostileFile, ALabelThatIsNotFiniteIsRefused) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   FileParts parts = parts_;
   const std::string before = hash_hex(parts.data.substr(0, 248));
-  std::memcpy(parts.data.data() + 4 * 31, &nan, 4);
+  std::memcpy(parts.data.data() + std::size_t{4} * 31, &nan, 4);
   parts.header = replaced(parts.header, before, hash_hex(parts.data.substr(0, 248)));
   // The content hash is made of the columns' hashes, in their order.
   const auto hashes = nlohmann::ordered_json::parse(

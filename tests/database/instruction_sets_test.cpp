@@ -60,7 +60,8 @@ TEST_P(InstructionSets, GiveTheCodeDistancesOfAPlainLoop) {
     for (std::size_t row = 0; row < norms.size(); ++row) {
       for (std::size_t i = 0; i < 2 * pairs; ++i) {
         const std::size_t block = row / kCodeBlock * kCodeBlock * 2 * pairs;
-        const int value = codes[block + i / 2 * 2 * kCodeBlock + row % kCodeBlock * 2 + i % 2];
+        const std::int8_t value =
+            codes[block + i / 2 * 2 * kCodeBlock + row % kCodeBlock * 2 + i % 2];
         norms[row] += value * value;
         expected[row] += (value - query[i]) * (value - query[i]);
       }

@@ -42,7 +42,7 @@ class BallHands {
     double radius;
     bool hand;  // else the object, which hides the hand
   };
-  using Picture = std::array<float, kSize * kSize>;  // 0 where there is no hand
+  using Picture = std::array<float, std::size_t{kSize} * kSize>;  // 0 where there is no hand
 
   static void add_finger(std::vector<Ball>& balls, Eigen::Vector3d joint, double spread,
                          double bend, double length, RandomStream& grasp) {
@@ -78,19 +78,23 @@ class BallHands {
     return balls;
   }
 
+  static std::size_t index(int x, int y) {
+    return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
+  }
+
   // Brightness is how much the surface faces the viewer. A share of the pixels is dropped.
   static Picture draw(const std::vector<Ball>& balls, RandomStream& noise, double dropped) {
     Picture picture{};
-    std::array<double, kSize * kSize> depth;
+    std::array<double, std::size_t{kSize} * kSize> depth;
     depth.fill(-1e9);
     for (const Ball& ball : balls) {
-      const auto [u, v] = std::pair(ball.center.x() + kSize / 2, ball.center.y() + kSize / 2);
+      const auto [u, v] = std::pair(ball.center.x() + kSize / 2.0, ball.center.y() + kSize / 2.0);
       const int reach = static_cast<int>(ball.radius) + 1;
       for (int y = std::max(0, int(v) - reach); y <= std::min(kSize - 1, int(v) + reach); ++y) {
         for (int x = std::max(0, int(u) - reach); x <= std::min(kSize - 1, int(u) + reach); ++x) {
           const double left = ball.radius * ball.radius - (x - u) * (x - u) - (y - v) * (y - v);
           if (left <= 0) continue;
-          const auto at = static_cast<std::size_t>(y * kSize + x);
+          const std::size_t at = index(x, y);
           if (ball.center.z() + std::sqrt(left) <= depth[at]) continue;
           depth[at] = ball.center.z() + std::sqrt(left);
           picture[at] =
@@ -115,12 +119,14 @@ class BallHands {
     std::array<double, 64> pixels{}, hand{}, sum{};
     const auto pixel = [&](int x, int y) {
       const bool inside = x >= 0 && y >= 0 && x < kSize && y < kSize;
-      return inside ? picture[static_cast<std::size_t>(y * kSize + x)] : 0.0F;
+      return inside ? picture[index(x, y)] : 0.0F;
     };
     for (int y = low_y; y <= high_y; ++y) {
       for (int x = low_x; x <= high_x; ++x) {
-        const auto cell = static_cast<std::size_t>((y - low_y) * 8 / (high_y - low_y + 1) * 8 +
-                                                   (x - low_x) * 8 / (high_x - low_x + 1));
+        const int row = (y - low_y) * 8 / (high_y - low_y + 1);
+        const int column = (x - low_x) * 8 / (high_x - low_x + 1);
+        const std::size_t cell =
+            static_cast<std::size_t>(row) * 8 + static_cast<std::size_t>(column);
         pixels[cell] += 1;
         if (pixel(x, y) == 0) continue;
         const double dx = pixel(x + 1, y) - pixel(x - 1, y), dy = pixel(x, y + 1) - pixel(x, y - 1);
