@@ -82,11 +82,16 @@ TEST_F(Bench, FramesAreReadWithTheDefaultsOfTrack) {
 }
 
 TEST_F(Bench, MemoryIsWhatReadingAddsToWhatWasThere) {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr double kLargest = 1000;  // the sanitizer keeps what is given back
+#else
+  constexpr double kLargest = 100;
+#endif
   const json trackers = tracker("--frames 2 --video " + path("large")).at("trackers");
   for (const json& one : trackers) {
     EXPECT_GT(one.at("before_mb"), 1);
     EXPECT_GE(one.at("peak_mb"), 0);
-    EXPECT_LT(one.at("peak_mb"), 100);
+    EXPECT_LT(one.at("peak_mb"), kLargest);
   }
 }
 
