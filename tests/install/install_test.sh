@@ -49,7 +49,7 @@ says '^kde alpha 0 % +[0-9]' graspdb eval hands.graspdb --sequences "$share/sequ
 
 echo "== the examples; the tracker links without what only a renderer needs"
 configure() { quietly cmake -G Ninja -S "$1" -B "$2" -DCMAKE_PREFIX_PATH="$prefix" "${@:3}"; }
-rendering=(embree assimp OpenImageIO nlohmann_json tomlplusplus CLI11)
+rendering=(embree assimp OpenImageIO nlohmann_json CLI11)
 without=("${rendering[@]/#/-DCMAKE_DISABLE_FIND_PACKAGE_}")
 configure examples built -DCMAKE_BUILD_TYPE=Release "${without[@]/%/=ON}"
 quietly cmake --build built
