@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <iterator>
 #include <thread>
 
 #include "graspdb/bench/tracker_bench.h"
+#include "graspdb/core/append.h"
+#include "graspdb/evaluation/eval_files.h"
 
 namespace graspdb {
 namespace {
@@ -22,27 +23,24 @@ double peak_mb(const SearchBench& bench) {
 
 std::string search_table(const SearchBench& bench) {
   std::string out;
-  const auto to_out = std::back_inserter(out);
-  fmt::format_to(to_out, "\n{:20} {:>8} {:>8} {:>8}\n", bench.search + ", ms per frame", "p50",
-                 "p95", "p99");
+  append(out, "\n{:20} {:>8} {:>8} {:>8}\n", bench.search + ", ms per frame", "p50", "p95", "p99");
   for (std::size_t i = 0; i < kBenchStages.size(); ++i) {
     const Percentiles& ms = bench.ms[i];
-    fmt::format_to(to_out, "  {:18} {:8.3f} {:8.3f} {:8.3f}\n", kBenchStages[i], ms.p50, ms.p95,
-                   ms.p99);
+    append(out, "  {:18} {:8.3f} {:8.3f} {:8.3f}\n", kBenchStages[i], ms.p50, ms.p95, ms.p99);
   }
-  fmt::format_to(to_out,
-                 "  hand read in {:.0f} % of the frames, temporal model {}, {} neighbours\n",
-                 100 * bench.valid, temporal_name(bench.tracker.temporal), bench.tracker.neighbors);
-  fmt::format_to(to_out, "  opening: database {:.2f} ms, search {:.0f} ms\n",
-                 bench.open_database_ms, bench.open_search_ms);
-  fmt::format_to(to_out, "  resident: {:.0f} MB at most beyond the {:.0f} MB of before\n",
-                 peak_mb(bench), megabytes(bench.before.own + bench.before.files));
+  append(out, "  hand read in {:.0f} % of the frames, temporal model {}, {} neighbours\n",
+         100 * bench.valid, temporal_name(bench.tracker.temporal), bench.tracker.neighbors);
+  append(out, "  opening: database {:.2f} ms, search {:.0f} ms\n", bench.open_database_ms,
+         bench.open_search_ms);
+  append(out, "  resident: {:.0f} MB at most beyond the {:.0f} MB of before\n", peak_mb(bench),
+         megabytes(bench.before.own + bench.before.files));
   return out;
 }
 
 json search_json(const SearchBench& bench) {
   json line = {{"search", bench.search},
                {"temporal", temporal_name(bench.tracker.temporal)},
+               {"options", options_json(bench.tracker)},
                {"open_database_ms", bench.open_database_ms},
                {"open_search_ms", bench.open_search_ms},
                {"valid", bench.valid},
@@ -50,8 +48,6 @@ json search_json(const SearchBench& bench) {
                {"peak_mb", peak_mb(bench)},
                {"own_mb", megabytes(bench.after.own - bench.before.own)},
                {"files_mb", megabytes(bench.after.files - bench.before.files)}};
-  for (const TrackerNumber& number : kTrackerNumbers)
-    line["options"][number.key] = number_of(bench.tracker, number);
   for (std::size_t i = 0; i < kBenchStages.size(); ++i) {
     const Percentiles& ms = bench.ms[i];
     line["ms"][kBenchStages[i]] = {{"p50", ms.p50}, {"p95", ms.p95}, {"p99", ms.p99}};

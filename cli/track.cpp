@@ -58,18 +58,18 @@ ReaderOptions reader_options(const TrackArguments& options) {
 
 // What `build --preset tracking` has and this database has not.
 void tell_what_is_lacking(const Database& database) {
-  const auto& variants = database.info().variants;
-  const bool has_free = std::ranges::any_of(
-      variants, [](const std::string& variant) { return variant.starts_with("free"); });
-  const BuildConfig config = load_config(database.path());
+  const std::optional<BuildConfig> config = stored_config(database);
+  if (!config) return;
+  const bool has_free = config->objects != Objects::kHeld;
+  const bool has_forearms = config->jitter.visible_forearm_mm > 0;
   if (!has_free)
     fmt::print(stderr, "the database has no hands without objects: empty hands are read badly\n");
-  if (config.jitter.visible_forearm_mm == 0) {
+  if (!has_forearms) {
     fmt::print(stderr,
                "the database has one length of forearm: hands with sleeves or long arms are read "
                "badly\n");
   }
-  if (!has_free || config.jitter.visible_forearm_mm == 0)
+  if (!has_free || !has_forearms)
     fmt::print(stderr, "`graspdb build --preset tracking` makes one for tracking\n");
 }
 

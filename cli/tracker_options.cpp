@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "graspdb/database/search.h"
 
 namespace graspdb::cli {
@@ -40,13 +38,6 @@ void add_number(CLI::App& verb, const TrackerNumber& number, Value TrackerOption
 }
 
 }  // namespace
-
-nlohmann::json options_json(const TrackerOptions& options) {
-  nlohmann::json all;
-  for (const TrackerNumber& number : kTrackerNumbers)
-    std::visit([&](auto member) { all[number.key] = options.*member; }, number.member);
-  return all;
-}
 
 TrackerOptions TrackerSettings::options(TemporalModel model) const {
   TrackerOptions options = tuned_options(model);

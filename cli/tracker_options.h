@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -12,8 +11,6 @@
 #include "graspdb/tracker/tracker.h"
 
 namespace graspdb::cli {
-
-nlohmann::json options_json(const TrackerOptions& options);  // all the numbers
 
 struct TrackerSettings {
   std::string temporal = "kde";

@@ -8,6 +8,7 @@
 
 #include "console.h"
 #include "graspdb/core/error.h"
+#include "graspdb/evaluation/eval_files.h"
 #include "sequence_set.h"
 #include "tracker_options.h"
 #include "verbs.h"

@@ -140,6 +140,13 @@ json metric_table() {
 
 }  // namespace
 
+nlohmann::json options_json(const TrackerOptions& options) {
+  nlohmann::json all;
+  for (const TrackerNumber& number : kTrackerNumbers)
+    std::visit([&](auto member) { all[number.key] = options.*member; }, number.member);
+  return all;
+}
+
 json eval_json(const EvalReport& report) {
   json rows = json::array();
   for (const SequenceEvaluation& sequence : report.sequences) {

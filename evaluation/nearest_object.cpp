@@ -23,11 +23,11 @@ double mean_difference(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }  // namespace
 
 DatabaseObjects::DatabaseObjects(const Database& database) {
-  const BuildConfig config = load_config(database.path());
-  if (!std::filesystem::is_directory(config.grasps)) return;
-  for (const Grasp& grasp : load_grasps(config.grasps)) {
-    const auto built = config.grasp_hashes.find(grasp.id);
-    if (built != config.grasp_hashes.end() && built->second == grasp_hash(grasp))
+  const std::optional<BuildConfig> config = stored_config(database);
+  if (!config || !std::filesystem::is_directory(config->grasps)) return;
+  for (const Grasp& grasp : load_grasps(config->grasps)) {
+    const auto built = config->grasp_hashes.find(grasp.id);
+    if (built != config->grasp_hashes.end() && built->second == grasp_hash(grasp))
       objects_.push_back(object_of(grasp));
   }
 }

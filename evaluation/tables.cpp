@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "graspdb/core/append.h"
+
 namespace graspdb {
 namespace {
 
@@ -37,11 +39,6 @@ constexpr std::array<Column, 6> kSetColumns = {{{kPoseError, "pose error", 2},
                                                 {kMpjpeMm, "mpjpe mm"},
                                                 {kGraspTop1, "top1 %", 0, 100}}};
 
-template <typename... Values>
-void add(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
-}
-
 std::string number(double value, int decimals) {
   if (std::isnan(value)) return "-";
   const std::string text = fmt::format("{:.{}f}", value, decimals);
@@ -54,10 +51,10 @@ std::string number(double value, const Column& column) {
 }
 
 void add_line(std::string& out, const std::string& name, const Summary& summary) {
-  add(out, "{:22}", name);
+  append(out, "{:22}", name);
   for (const Column& column : kColumns)
-    add(out, " {:>9}", number(summary.mean[static_cast<std::size_t>(column.metric)], column));
-  add(out, "\n");
+    append(out, " {:>9}", number(summary.mean[static_cast<std::size_t>(column.metric)], column));
+  append(out, "\n");
 }
 
 std::string run_name(TemporalModel model, double alpha) {
@@ -71,18 +68,18 @@ std::string interval_text(const Interval& interval, const Column& column) {
 }
 
 void add_line(std::string& out, const std::string& name, const MetricIntervals& metrics) {
-  add(out, "{:26}", name);
+  append(out, "{:26}", name);
   for (const Column& column : kSetColumns) {
     const auto metric = static_cast<std::size_t>(column.metric);
-    add(out, " {:>20}", interval_text(metrics[metric], column));
+    append(out, " {:>20}", interval_text(metrics[metric], column));
   }
-  add(out, "\n");
+  append(out, "\n");
 }
 
 void add_titles(std::string& out, const std::string& name) {
-  add(out, "{:26}", name);
-  for (const Column& column : kSetColumns) add(out, " {:>20}", column.title);
-  add(out, "\n");
+  append(out, "{:26}", name);
+  for (const Column& column : kSetColumns) append(out, " {:>20}", column.title);
+  append(out, "\n");
 }
 
 std::string difference_name(const SetDifference& d) {
@@ -94,17 +91,17 @@ std::string difference_name(const SetDifference& d) {
 }
 
 void add_gap(std::string& out, const std::string& name, const Gap& gap, int decimals) {
-  add(out, "{:30}", name);
+  append(out, "{:30}", name);
   for (const double part : {gap.total(), gap.retrieval, gap.choice, gap.placement, gap.unanswered})
-    add(out, " {:>10}", number(part, decimals));
-  add(out, "  |");
-  for (const double part : {gap.view, gap.pose}) add(out, " {:>8}", number(part, decimals));
-  add(out, "\n");
+    append(out, " {:>10}", number(part, decimals));
+  append(out, "  |");
+  for (const double part : {gap.view, gap.pose}) append(out, " {:>8}", number(part, decimals));
+  append(out, "\n");
 }
 
 void add_gaps(std::string& out, const std::vector<SetRun>& runs) {
-  add(out, "\n{:30} {:>10} {:>10} {:>10} {:>10} {:>10}  | {:>8} {:>8}\n", "gap to the oracle",
-      "total", "retrieval", "choice", "placement", "unanswered", "view", "pose");
+  append(out, "\n{:30} {:>10} {:>10} {:>10} {:>10} {:>10}  | {:>8} {:>8}\n", "gap to the oracle",
+         "total", "retrieval", "choice", "placement", "unanswered", "view", "pose");
   for (const SetRun& run : runs) {
     const std::string name = run_name(run.temporal, run.alpha);
     add_gap(out, name, run.pose_error_gap, 2);
@@ -113,31 +110,31 @@ void add_gaps(std::string& out, const std::vector<SetRun>& runs) {
 }
 
 void add_calibration(std::string& out, const std::vector<SetRun>& runs) {
-  add(out, "\n{:30}", fmt::format("right to {} deg by confidence", kRecoveredDeg));
+  append(out, "\n{:30}", fmt::format("right to {} deg by confidence", kRecoveredDeg));
   for (std::size_t bin = 1; bin <= kCalibrationBins; ++bin)
-    add(out, " {:>5}", fmt::format("-{:.1f}", static_cast<double>(bin) / kCalibrationBins));
-  add(out, "   expected calibration error\n");
+    append(out, " {:>5}", fmt::format("-{:.1f}", static_cast<double>(bin) / kCalibrationBins));
+  append(out, "   expected calibration error\n");
   for (const SetRun& run : runs) {
-    add(out, "{:30}", run_name(run.temporal, run.alpha));
+    append(out, "{:30}", run_name(run.temporal, run.alpha));
     for (const CalibrationBin& bin : run.calibration.bins)
-      add(out, " {:>5}", bin.frames > 0 ? fmt::format("{:.2f}", bin.right) : "-");
-    add(out, "   {:.3f}\n", run.calibration.expected_error);
+      append(out, " {:>5}", bin.frames > 0 ? fmt::format("{:.2f}", bin.right) : "-");
+    append(out, "   {:.3f}\n", run.calibration.expected_error);
   }
 }
 
 void add_recovery(std::string& out, const SetRecovery& recovery) {
   const Column frames{kMetricCount, "", 1};
-  add(out,
-      "after {} black frames {:8} recovers in {} of {} sequences; wrong frames until then {}\n",
-      kBlackFrames, temporal_name(recovery.temporal), recovery.recovered, recovery.sequences,
-      interval_text(recovery.frames, frames));
+  append(out,
+         "after {} black frames {:8} recovers in {} of {} sequences; wrong frames until then {}\n",
+         kBlackFrames, temporal_name(recovery.temporal), recovery.recovered, recovery.sequences,
+         interval_text(recovery.frames, frames));
 }
 
 void add_far_grasps(std::string& out, int beyond, int frames) {
-  add(out,
-      "fingers are 5 degrees or more from the nearest pose of the database in {} of {} "
-      "grasping frames\n",
-      beyond, frames);
+  append(out,
+         "fingers are 5 degrees or more from the nearest pose of the database in {} of {} "
+         "grasping frames\n",
+         beyond, frames);
 }
 
 }  // namespace
@@ -145,9 +142,9 @@ void add_far_grasps(std::string& out, int beyond, int frames) {
 std::string error_table(const std::vector<std::pair<std::string, Summary>>& answers,
                         const Baselines& baselines) {
   std::string out;
-  add(out, "{:22}", "");
-  for (const Column& column : kColumns) add(out, " {:>9}", column.title);
-  add(out, "\n");
+  append(out, "{:22}", "");
+  for (const Column& column : kColumns) append(out, " {:>9}", column.title);
+  append(out, "\n");
   for (const auto& [name, summary] : answers) add_line(out, name, summary);
   add_line(out, "oracle", baselines.oracle_mean);
   add_line(out, "random row", baselines.random);
@@ -158,12 +155,13 @@ std::string error_table(const std::vector<std::pair<std::string, Summary>>& answ
 std::string sequence_table(const SequenceEvaluation& sequence) {
   std::string out;
   const EvalRun& first = sequence.runs.front();
-  add(out, "\n{}, {} frames: smallest hand box {:.0f} px, {:.0f} % of frames valid at alpha {}\n",
-      sequence.name, kind_name(sequence.kind), first.smallest_box_px, 100 * first.valid,
-      first.alpha);
+  append(out,
+         "\n{}, {} frames: smallest hand box {:.0f} px, {:.0f} % of frames valid at alpha {}\n",
+         sequence.name, kind_name(sequence.kind), first.smallest_box_px, 100 * first.valid,
+         first.alpha);
   if (sequence.kind == FrameKind::kPhotoreal) {
-    add(out, "found hand against true hand, mean intersection over union: {}\n",
-        number(sequence.segmentation_iou, 3));
+    append(out, "found hand against true hand, mean intersection over union: {}\n",
+           number(sequence.segmentation_iou, 3));
   }
   std::vector<std::pair<std::string, Summary>> lines;
   for (const EvalRun& run : sequence.runs)
@@ -175,19 +173,19 @@ std::string sequence_table(const SequenceEvaluation& sequence) {
 
 std::string set_tables(const SetEvaluation& set, FrameKind kind, std::size_t sequences) {
   std::string out;
-  add(out, "\nMeans over {} {} sequences with 95 % intervals\n", sequences, kind_name(kind));
+  append(out, "\nMeans over {} {} sequences with 95 % intervals\n", sequences, kind_name(kind));
   add_titles(out, "");
   for (const SetRun& run : set.runs) add_line(out, run_name(run.temporal, run.alpha), run.means);
   add_line(out, "oracle", set.oracle);
   add_line(out, "random row", set.random);
   add_line(out, "best constant", set.constant);
-  add(out, "\n");
+  append(out, "\n");
   add_titles(out, "paired differences");
   for (const SetDifference& difference : set.differences)
     add_line(out, difference_name(difference), difference.differences);
   add_gaps(out, set.runs);
   add_calibration(out, set.runs);
-  add(out, "\n");
+  append(out, "\n");
   for (const SetRecovery& recovery : set.recoveries) add_recovery(out, recovery);
   add_far_grasps(out, set.beyond_5_deg, set.grasping_frames);
   return out;

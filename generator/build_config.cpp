@@ -251,6 +251,14 @@ BuildConfig load_config(const fs::path& path) {
   return config;
 }
 
+std::optional<BuildConfig> stored_config(const Database& database) {
+  try {
+    return load_config(database.path());
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
 fs::path preset_file(const std::string& name) {
   const fs::path folder = data_directory() / "assets/presets";
   std::set<std::string> known;

@@ -5,15 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
+
+#include "graspdb/core/append.h"
 
 namespace graspdb {
 namespace {
-
-template <typename... Values>
-void add(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
-}
 
 using Figure = double StepCheck::*;
 
@@ -35,17 +31,17 @@ std::vector<std::string> digits_of(const std::vector<std::string>& bones) {
 }
 
 void add_failures(std::string& out, const GraspCheck& check) {
-  for (const std::string& failure : check.failures) add(out, "         {}\n", failure);
+  for (const std::string& failure : check.failures) append(out, "         {}\n", failure);
 }
 
 void add_unnamed(std::string& out, const GraspCheck& check) {
   if (!check.missing_digits.empty()) {
-    add(out, "         the taxonomy names {}, which do not touch\n",
-        fmt::join(check.missing_digits, ", "));
+    append(out, "         the taxonomy names {}, which do not touch\n",
+           fmt::join(check.missing_digits, ", "));
   }
   if (!check.extra_digits.empty()) {
-    add(out, "         {} also touch, which the taxonomy does not name\n",
-        fmt::join(check.extra_digits, ", "));
+    append(out, "         {} also touch, which the taxonomy does not name\n",
+           fmt::join(check.extra_digits, ", "));
   }
 }
 
@@ -76,16 +72,17 @@ nlohmann::json check_json(const Grasp& grasp, const Hand& hand, const GraspCheck
 
 std::string summary_table(const std::vector<Grasp>& grasps, const std::vector<GraspCheck>& checks) {
   std::string out;
-  add(out, "{:36} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "", "in each", "volume", "overlap", "clear",
-      "closed");
-  add(out, "{:36} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "grasp", "other mm", "cm3", "mm", "mm",
-      "touching");
+  append(out, "{:36} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "", "in each", "volume", "overlap", "clear",
+         "closed");
+  append(out, "{:36} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "grasp", "other mm", "cm3", "mm", "mm",
+         "touching");
   for (std::size_t i = 0; i < grasps.size(); ++i) {
     const GraspCheck& check = checks[i];
-    add(out, "{} {:3} {:27} {:8.1f} {:7.2f} {:7.1f} {:7.1f} {}\n", check.pass ? "ok  " : "FAIL",
-        grasps[i].id, grasps[i].name, worst(check, &StepCheck::penetration_mm),
-        worst(check, &StepCheck::volume_cm3), worst(check, &StepCheck::self_penetration_mm),
-        check.steps.front().clearance_mm, fmt::join(digits_of(check.steps.back().contacts), " "));
+    append(out, "{} {:3} {:27} {:8.1f} {:7.2f} {:7.1f} {:7.1f} {}\n", check.pass ? "ok  " : "FAIL",
+           grasps[i].id, grasps[i].name, worst(check, &StepCheck::penetration_mm),
+           worst(check, &StepCheck::volume_cm3), worst(check, &StepCheck::self_penetration_mm),
+           check.steps.front().clearance_mm,
+           fmt::join(digits_of(check.steps.back().contacts), " "));
     add_failures(out, check);
     add_unnamed(out, check);
   }
@@ -94,19 +91,20 @@ std::string summary_table(const std::vector<Grasp>& grasps, const std::vector<Gr
 
 std::string step_table(const Grasp& grasp, const GraspCheck& check) {
   std::string out;
-  add(out, "{} {:3} {}: {}\n", check.pass ? "ok  " : "FAIL", grasp.id, grasp.name,
-      grasp.object_name);
-  add(out, "{:>14} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "", "in each", "volume", "overlap", "clear",
-      "crossed");
-  add(out, "{:>14} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "step", "other mm", "cm3", "mm", "mm", "mm");
+  append(out, "{} {:3} {}: {}\n", check.pass ? "ok  " : "FAIL", grasp.id, grasp.name,
+         grasp.object_name);
+  append(out, "{:>14} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "", "in each", "volume", "overlap", "clear",
+         "crossed");
+  append(out, "{:>14} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "step", "other mm", "cm3", "mm", "mm",
+         "mm");
   for (const StepCheck& step : check.steps) {
-    add(out, "{:14} {:8.1f} {:7.2f} {:7.1f} {:7.1f} {:7.1f}\n", step.step, step.penetration_mm,
-        step.volume_cm3, step.self_penetration_mm, step.clearance_mm, step.crossing_mm);
+    append(out, "{:14} {:8.1f} {:7.2f} {:7.1f} {:7.1f} {:7.1f}\n", step.step, step.penetration_mm,
+           step.volume_cm3, step.self_penetration_mm, step.clearance_mm, step.crossing_mm);
   }
   const StepCheck& closed = check.steps.back();
-  add(out, "         touching: {}\n", fmt::join(closed.contacts, " "));
+  append(out, "         touching: {}\n", fmt::join(closed.contacts, " "));
   if (!closed.at_limits.empty()) {
-    add(out, "         at their limits: {}\n", fmt::join(closed.at_limits, " "));
+    append(out, "         at their limits: {}\n", fmt::join(closed.at_limits, " "));
   }
   add_failures(out, check);
   add_unnamed(out, check);

@@ -24,7 +24,10 @@ Estimate HandReader::read(const ColorImage& frame, const Intrinsics& camera) {
 }
 
 Estimate HandReader::read(const ColorImage& frame, const Mask& mask, const Intrinsics& camera) {
-  return read(observe(to_gray(frame), mask, camera));
+  const Stopwatch watch;
+  Observation seen = observe(to_gray(frame), mask, camera);
+  seen.segment_ms = watch.ms();
+  return read(seen);
 }
 
 Observation HandReader::observe(const ColorImage& frame, const Intrinsics& camera) const {
@@ -40,14 +43,14 @@ Observation HandReader::observe(GrayImage gray, const Mask& mask, const Intrinsi
   return {std::move(gray), std::move(hand), camera, watch.ms()};
 }
 
-Estimate HandReader::read(Observation seen) {
+Estimate HandReader::read(const Observation& seen) {
   const Stopwatch watch;
   Estimate estimate = options_.left_hand
                           ? mirrored(tracker_.step(mirrored(seen)), seen.gray.width())
                           : tracker_.step(seen);
   estimate.ms.segment = seen.segment_ms;
   estimate.ms.total = seen.segment_ms + watch.ms();
-  estimate.hand = std::move(seen.hand);
+  estimate.hand = seen.hand;
   return estimate;
 }
 

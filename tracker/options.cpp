@@ -5,11 +5,14 @@
 #include "graspdb/tracker/tracker.h"
 
 namespace graspdb {
+namespace {
 
 double number_of(const TrackerOptions& options, const TrackerNumber& number) {
   return std::visit([&](auto member) { return static_cast<double>(options.*member); },
                     number.member);
 }
+
+}  // namespace
 
 void set_number(TrackerOptions& options, const TrackerNumber& number, double value) {
   std::visit(

@@ -127,6 +127,17 @@ TEST_F(Track, WritesALineAFrameAndAVideo) {
   EXPECT_THAT(again.out, HasSubstr("3 frames"));
 }
 
+// Its configuration is none of `graspdb build`: what it lacks for tracking is not known.
+TEST_F(Track, ADatabaseThatNoBuildMadeIsReadAllTheSame) {
+  write_frame(directory_.path(), "f1", {160, 90}, {160, 90});
+  const Outcome outcome =
+      track(GRASPDB_SOURCE_DIR "/tests/database/golden/v1.graspdb " + path("frames") + " --masks " +
+            path("masks") + " --max-distance 1000");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("1 frames"));
+  EXPECT_EQ(outcome.err.find("--preset tracking"), std::string::npos);
+}
+
 TEST_F(Track, InputsThatCannotBeReadAreNamed) {
   expect_refused(database() + " " + path("none.mp4"), path("none.mp4"));
   fs::create_directories(path("empty"));

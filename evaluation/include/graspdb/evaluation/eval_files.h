@@ -17,6 +17,8 @@ struct EvalReport {
 
 nlohmann::json eval_json(
     const EvalReport& report);  // {rows, set, metrics}; what does not apply is null
+// All the numbers of a tracker, by their keys.
+nlohmann::json options_json(const TrackerOptions& options);
 std::string frames_csv(const EvalReport& report);  // a line a frame, model and alpha
 std::string runs_csv(const EvalReport& report);    // a line a run
 

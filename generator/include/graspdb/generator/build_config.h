@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "graspdb/database/database.h"
 #include "graspdb/features/hog.h"
 #include "graspdb/renderer/renderer.h"
 
@@ -66,6 +68,9 @@ std::string config_to_json(const BuildConfig& config);
 // A configuration from a database, a .json file (both hold the whole JSON above) or a TOML file
 // with the same keys, where an absent one means its default. Throws Error naming file and key.
 BuildConfig load_config(const std::filesystem::path& path);
+
+// What an open database was built from; nothing when it holds no configuration of `graspdb build`.
+std::optional<BuildConfig> stored_config(const Database& database);
 
 // A configuration that has a name: assets/presets/NAME.toml in the data directory. "paper" is what
 // BuildConfig{} is, "tracking" what the tracker works best with. Throws Error naming those that are

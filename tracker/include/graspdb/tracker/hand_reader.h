@@ -42,7 +42,7 @@ class HandReader {
   // The two halves of read(), for several readers of the same frame.
   Observation observe(const ColorImage& frame, const Intrinsics& camera) const;
   Observation observe(GrayImage gray, const Mask& mask, const Intrinsics& camera) const;
-  Estimate read(Observation seen);
+  Estimate read(const Observation& seen);
 
   const Search& search() const { return search_; }
 

@@ -76,7 +76,6 @@ inline constexpr std::array<TrackerNumber, 7> kTrackerNumbers = {
      {"max_distance", "--max-distance", &TrackerOptions::max_distance, 0.01, 1000,
       "A nearest descriptor further away is no hand", false}}};
 
-double number_of(const TrackerOptions& options, const TrackerNumber& number);
 void set_number(TrackerOptions& options, const TrackerNumber& number, double value);
 // Throws Error naming the number that is out of its range.
 void check_options(const TrackerOptions& options);
