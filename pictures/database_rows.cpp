@@ -44,14 +44,17 @@ const Grasp& DatabaseRows::grasp(std::size_t row) const {
   return poses_.grasp(database_.grasp(row));
 }
 
-Subject DatabaseRows::subject(std::size_t row) const {
-  const PoseKey pose = key(row);
-  Subject subject(poses_.hand(pose.hand), poses_.pose(pose));
+RowPose DatabaseRows::pose(std::size_t row) const {
+  RowPose pose = poses_.pose(key(row));
   const LabelPose label = unpack_label(database_.label(row));
-  const double difference = (subject.pose().pose.angles - label.angles).cwiseAbs().maxCoeff();
+  const double difference = (pose.pose.angles - label.angles).cwiseAbs().maxCoeff();
   if (!is_finite(database_.label(row)) || !(difference < kSameAngle))
     fail_changed(database_, row, "joint angles");
-  return subject;
+  return pose;
+}
+
+Subject DatabaseRows::subject(std::size_t row) const {
+  return {poses_.hand(key(row).hand), pose(row)};
 }
 
 LabelledView DatabaseRows::view(const Subject& subject, std::size_t row,

@@ -29,8 +29,8 @@ Eigen::Matrix3d EstimatePicture::right_hand_rotation(const Estimate& estimate) c
 }
 
 ColorImage EstimatePicture::draw(const Estimate& estimate, int side) {
-  const Subject subject = rows_like(estimate.row).subject(estimate.row);
-  const PosedScene& posed = subject.pose().scene;
+  const RowPose pose = rows_like(estimate.row).pose(estimate.row);
+  const PosedScene& posed = pose.scene;
   const Camera camera = crop_camera(right_hand_rotation(estimate), posed.center,
                                     database_.info().camera_distance, posed.hand_vertices, side);
   const ColorImage picture = colored(render(posed.scene, camera), {}, kDark);

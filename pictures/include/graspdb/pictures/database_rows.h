@@ -24,6 +24,8 @@ class DatabaseRows {
 
   // What the row shows, and all other rows with its key. Throws Error when the joint angles are not
   // those of the row's label.
+  RowPose pose(std::size_t row) const;
+  // The same, to be labelled.
   Subject subject(std::size_t row) const;
 
   // The row itself. `subject` is that of its key. Throws Error when the view is not the label's.
