@@ -33,11 +33,13 @@ std::string aside_start(const fs::path& path) {
 std::string read_text(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
-  if (!fs::is_regular_file(path) || !stream || !(text << stream.rdbuf())) {
-    if (fs::is_regular_file(path) && fs::file_size(path) == 0) return {};
+  std::error_code unknown;  // such as a name that no file can have
+  const bool is_file = fs::is_regular_file(path, unknown);
+  if (!is_file || !stream || !(text << stream.rdbuf())) {
+    if (is_file && fs::file_size(path) == 0) return {};
     throw Error({.file = path.string(),
                  .expected = "a readable file",
-                 .found = fs::exists(path) ? "something else" : "none"});
+                 .found = fs::exists(path, unknown) ? "something else" : "none"});
   }
   return text.str();
 }

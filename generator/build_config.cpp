@@ -51,9 +51,14 @@ std::string portable(const fs::path& path) {
   return (outside ? absolute : inside).string();
 }
 
-// A path of a configuration: absolute, beside the configuration's own file, or among the data.
-fs::path found(const std::string& path, const fs::path& beside) {
-  if (fs::exists(beside / path)) return beside / path;
+// The path `path` under `key`: absolute, beside the configuration's own file, or among the data.
+fs::path found(const TomlTable& table, const char* key, const std::string& path,
+               const fs::path& beside) {
+  for (const fs::path& candidate : {beside / path, data_directory() / path}) {
+    std::error_code fault;  // such as a name that no file can have
+    if (fs::exists(candidate, fault)) return candidate;
+    if (fault) table.fail(key, "a path", fault.message());
+  }
   return data_directory() / path;
 }
 
@@ -137,9 +142,11 @@ std::map<int, std::string> read_grasp_hashes(const TomlTable& table) {
 BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
   BuildConfig config;
   if (table.has("hands")) {
-    for (const auto& hand : table.strings("hands")) config.hands.push_back(found(hand, beside));
+    for (const auto& hand : table.strings("hands")) {
+      config.hands.push_back(found(table, "hands", hand, beside));
+    }
   }
-  config.grasps = found(table.string_or("grasps", "grasps"), beside);
+  config.grasps = found(table, "grasps", table.string_or("grasps", "grasps"), beside);
   if (table.has("only")) {
     for (const double id : table.numbers("only", -1, 1, 65535)) {
       if (id != std::floor(id)) table.fail("only", "whole numbers", fmt::format("{}", id));

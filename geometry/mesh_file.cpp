@@ -2,7 +2,6 @@
 #include <assimp/postprocess.h>
 
 #include "graspdb/core/assimp/assimp_scene.h"
-#include "graspdb/core/error.h"
 #include "graspdb/geometry/mesh_solid.h"
 
 namespace graspdb {
@@ -36,11 +35,6 @@ std::shared_ptr<const Solid> load_mesh_solid(const std::filesystem::path& file,
   Mesh mesh;
   for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
     if (scene.mMeshes[i]->HasNormals()) add(*scene.mMeshes[i], meters_per_unit, mesh);
-  }
-  for (const Eigen::Vector3f& v : mesh.vertices) {
-    if (!v.allFinite()) {
-      throw Error({.file = file.string(), .expected = "finite vertices", .found = "others"});
-    }
   }
   return make_mesh_solid(std::move(mesh), file);
 }

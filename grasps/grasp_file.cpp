@@ -99,7 +99,8 @@ void require_virtual_fingers_touch(const TomlTable& file, const Grasp& grasp) {
 std::shared_ptr<const Solid> read_mesh(const TomlTable& table, Grasp& grasp) {
   const std::string unit = table.choice("unit", {"mm", "cm", "m"});
   grasp.object_file = grasp.file.parent_path() / table.string("mesh");
-  if (!fs::is_regular_file(grasp.object_file)) {
+  std::error_code unknown;  // such as a name that no file can have
+  if (!fs::is_regular_file(grasp.object_file, unknown)) {
     table.fail("mesh", "a mesh file", "none at " + grasp.object_file.lexically_normal().string());
   }
   grasp.object_origin = table.string_or("origin", "");

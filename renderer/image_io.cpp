@@ -3,7 +3,9 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -45,10 +47,22 @@ OIIO::ImageSpec exr_spec(OIIO::ImageSpec spec) {
   return spec;
 }
 
+constexpr std::uint64_t kLargestPicture = 256 << 20;  // bytes, decoded
+
 struct Decoded {
   int width, height, channels;
   std::vector<std::uint8_t> samples;
 };
+
+// A file of a few bytes can say that it has any size.
+void check_size(const OIIO::ImageSpec& spec, const fs::path& path) {
+  const auto channels = static_cast<std::uint64_t>(std::max(spec.nchannels, 0));
+  if (channels > 0 && spec.image_pixels() <= kLargestPicture / channels) return;
+  throw Error({.file = path.string(),
+               .expected = fmt::format("at most {} MiB of samples", kLargestPicture >> 20),
+               .found = fmt::format("{} x {} pixels of {} channels", spec.width, spec.height,
+                                    spec.nchannels)});
+}
 
 Decoded read_image(const fs::path& path) {
   OIIO::ImageSpec config;
@@ -58,6 +72,7 @@ Decoded read_image(const fs::path& path) {
     throw Error({.file = path.string(), .expected = "a picture", .found = OIIO::geterror()});
   }
   const OIIO::ImageSpec& spec = input->spec();
+  check_size(spec, path);
   Decoded decoded{spec.width, spec.height, spec.nchannels, {}};
   decoded.samples.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, decoded.samples.data())) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Feeds altered files to the readers of databases, grasp files and rig maps, with the sanitizers on.
+# Feeds altered files to every reader of files, with the sanitizers on.
 #   scripts/fuzz.sh [SECONDS] [--keep]   for each reader; 30 seconds when absent
 # It starts from what earlier runs have learned (tests/fuzz/corpus). An input that breaks a reader
 # ends the script and stays in build/fuzz/findings. --keep stores what this run has learned, as few
@@ -22,7 +22,8 @@ cmake --build --preset fuzz
 run_fuzzer() {
     local name=$1
     shift
-    "build/fuzz/tests/fuzz/${name}_fuzz" -timeout=10 -verbosity=0 \
+    LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0 \
+        "build/fuzz/tests/fuzz/${name}_fuzz" -timeout=10 -verbosity=0 \
         -artifact_prefix="build/fuzz/findings/$name-" "$@" |&
         sed '/^###### Recommended/,/^###### End/d' # pages that nobody reads
 }
@@ -41,11 +42,19 @@ fuzz() {
     shift
     mkdir -p "$corpus" build/fuzz/findings
     python3 -m tarfile -e "tests/fuzz/corpus/$name.tar.xz" "$corpus"
-    cp -- "$@" "$corpus"
+    [ $# -eq 0 ] || cp -- "$@" "$corpus"
     echo "== $name, $seconds s"
     run_fuzzer "$name" -max_total_time="$seconds" -print_final_stats=1 -print_funcs=0 "$corpus"
     [ -z "$keep" ] || keep "$name"
 }
+fuzz build_config
+fuzz closed_poses grasps/closed/*.toml
 fuzz database tests/database/golden/*.graspdb
-fuzz grasp grasps/*.toml
+fuzz grasp grasps/*.toml grasps/examples/*.toml
+fuzz hand_file
+fuzz object_file
+fuzz picture
+fuzz pose
 fuzz rig_map assets/hands/*.rig.toml
+fuzz sequence sequences/*/*.seq.toml
+fuzz written_sequence

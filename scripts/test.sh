@@ -16,4 +16,4 @@ for preset in release asan; do
     cmake --build --preset "$preset" --target all all_verify_interface_header_sets
     ctest --preset "$preset" -j "$(nproc)"
 done
-scripts/fuzz.sh 10
+scripts/fuzz.sh 5

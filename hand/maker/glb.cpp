@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "graspdb/core/assimp/glb.h"
 #include "graspdb/core/error.h"
 #include "graspdb/hand/digits.h"
 
@@ -55,7 +56,7 @@ class GlbWriter {
     json["accessors"] = accessors_;
     json["bufferViews"] = views_;
     json["buffers"] = {{{"byteLength", binary_.size()}}};
-    return container(json.dump());
+    return glb_file(json.dump(), binary_);
   }
 
  private:
@@ -169,23 +170,6 @@ class GlbWriter {
                  {"rotation", {q.x(), q.y(), q.z(), q.w()}}};
     if (!children.empty()) node["children"] = children;
     return node;
-  }
-
-  std::string container(std::string json) const {
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    std::string file;
-    const auto word = [&](std::size_t value) {
-      const auto bits = static_cast<std::uint32_t>(value);
-      file.append(reinterpret_cast<const char*>(&bits), 4);
-    };
-    file += "glTF";
-    word(2);
-    word(28 + json.size() + binary_.size());
-    word(json.size());
-    file += "JSON" + json;
-    word(binary_.size());
-    file += std::string("BIN\0", 4) + binary_;
-    return file;
   }
 
   const Hand& hand_;

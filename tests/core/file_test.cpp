@@ -45,6 +45,11 @@ TEST(File, AMissingFileIsAnErrorThatNamesIt) {
   }
 }
 
+TEST(File, ANameThatNoFileCanHaveIsAnErrorToo) {
+  EXPECT_THROW(read_text("/tmp/" + std::string(300, 'x')), Error);
+  EXPECT_THROW(read_text(std::string(10000, '/') + "tmp"), Error);
+}
+
 TEST(File, AnEmptyFileReadsAsNothing) {
   const testing::TemporaryDirectory directory;
   write_text(directory / "empty", "");

@@ -17,13 +17,19 @@ namespace graspdb::testing {
 class MemoryFile {
  public:
   explicit MemoryFile(std::string_view bytes) : descriptor_(::memfd_create("fuzz", MFD_CLOEXEC)) {
-    const auto size = static_cast<::ssize_t>(bytes.size());
-    if (descriptor_ < 0 || ::write(descriptor_, bytes.data(), bytes.size()) != size) std::abort();
+    if (descriptor_ < 0) std::abort();
+    fill(bytes);
   }
   ~MemoryFile() { ::close(descriptor_); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
 
+  // Replaces what it holds.
+  void fill(std::string_view bytes) {
+    const auto size = static_cast<::ssize_t>(bytes.size());
+    if (::ftruncate(descriptor_, size) != 0) std::abort();
+    if (::pwrite(descriptor_, bytes.data(), bytes.size(), 0) != size) std::abort();
+  }
   std::filesystem::path path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
  private:

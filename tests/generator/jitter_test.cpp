@@ -241,6 +241,14 @@ TEST_F(Jittered, ATextFileMayAskForItAndAStoredOneStatesItWhole) {
   EXPECT_THROW(load_config(directory_ / "a.json"), Error);
 }
 
+TEST_F(Jittered, AConfigurationOfNamesThatNoFileCanHaveIsRefused) {
+  for (const std::string key : {"grasps = \"", "hands = [\""}) {
+    const std::string end = key.ends_with("[\"") ? "\"]" : "\"";
+    write_text(directory_ / "a.toml", key + std::string(300, 'x') + end);
+    EXPECT_THROW(load_config(directory_ / "a.toml"), Error) << key;
+  }
+}
+
 TEST_F(Jittered, TwoHandsInOneBuildHaveTheirOwnRows) {
   BuildConfig config = testing::small_config();
   config.hands.push_back(std::filesystem::path(GRASPDB_SOURCE_DIR) / "assets/hands/child.glb");

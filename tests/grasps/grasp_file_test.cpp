@@ -172,6 +172,9 @@ TEST_F(GraspFile, RefusesAMeshWithoutAFileOrAUnit) {
   EXPECT_THAT(refusal(kCylinder, mug + "\nunit = \"inch\""), HasSubstr("mm, cm, m"));
   EXPECT_THAT(refusal(kCylinder, "shape = \"mesh\"\nmesh = \"cup.obj\"\nunit = \"mm\""),
               AllOf(HasSubstr("object.mesh"), HasSubstr("none at"), HasSubstr("cup.obj")));
+  const std::string endless(300, 'x');  // no file can have such a name
+  EXPECT_THAT(refusal(kCylinder, "shape = \"mesh\"\nmesh = \"" + endless + "\"\nunit = \"mm\""),
+              HasSubstr("object.mesh"));
   EXPECT_THAT(refusal(kCylinder, mug + "\nunit = \"mm\"\ndiameter_mm = 80"),
               HasSubstr("object.diameter_mm"));
 }

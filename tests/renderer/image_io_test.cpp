@@ -142,5 +142,21 @@ TEST(ImageIo, CameraRotationInExifIsNotApplied) {
   EXPECT_EQ(image.height(), 16);
 }
 
+// The header of a PNG of 32768 pixels a side, and nothing behind it.
+TEST(ImageIo, APictureThatSaysItIsHugeIsRefusedBeforeThereIsRoomForIt) {
+  const TemporaryDirectory folder;
+  write_text(
+      folder / "a.png",
+      std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x80\0\0\0\x80\0\x08\x02\0\0\0\x4b\x1e\x34\x28"
+                  "\0\0\0\0IDAT\x35\xaf\x06\x1e",
+                  45));
+  try {
+    read_color(folder / "a.png");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("at most 256 MiB"));
+  }
+}
+
 }  // namespace
 }  // namespace graspdb

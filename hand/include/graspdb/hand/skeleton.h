@@ -15,9 +15,9 @@
 
 namespace graspdb {
 
-enum Bone {
-  kPalm = 0,     // the root
-  kForearm = 1,  // hangs from the palm at the wrist; its y points distally, into the palm
+enum Bone : int {  // a type of its own: values go beyond those that have a name
+  kPalm = 0,       // the root
+  kForearm = 1,    // hangs from the palm at the wrist; its y points distally, into the palm
   kThumbMetacarpal = 2,
   kThumbProximal = 3,
   kThumbDistal = 4,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures in files, through OpenImageIO: PNG for 8 and 16 bits, EXR for float32. Writing is aside
-// and renamed; faults are Errors that name the file.
+// and renamed; faults are Errors that name the file, and so is a picture of more than 256 MiB.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "graspdb/core/assimp/assimp_scene.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
+#include "reduced_files.h"
+
+namespace graspdb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestFile = 256 << 20;
+constexpr std::size_t kMostVertices = 1 << 25;
+
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void import_bytes(Assimp::Importer& importer, const std::string& bytes, const char* format) {
+  importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format);
+}
+
+void import(Assimp::Importer& importer, const fs::path& file) {
+  const std::string extension = lower_extension(file), name = file.string();
+  if (extension == ".glb") {
+    import_bytes(importer, reduced_glb(read_text(file), name), "glb");
+  } else if (extension == ".obj") {
+    import_bytes(importer, reduced_obj(read_text(file), name), "obj");
+  } else {
+    importer.ReadFile(name, 0);
+  }
+}
+
+class SceneCheck {
+ public:
+  SceneCheck(const aiScene& scene, std::string file) : scene_(scene), file_(std::move(file)) {}
+
+  void run() {
+    if (scene_.mRootNode == nullptr) refuse("", "a scene", "none");
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+      check(*scene_.mMeshes[i], fmt::format("mesh {}", i));
+    }
+    check(*scene_.mRootNode, Eigen::Matrix4d::Identity(), 1);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& key, const std::string& expected,
+                           const std::string& found) const {
+    throw Error({file_, key, expected, found});
+  }
+
+  void require_index(const std::string& key, std::size_t index, std::size_t count) const {
+    if (index >= count) refuse(key, fmt::format("below {}", count), fmt::format("{}", index));
+  }
+
+  template <typename Array>
+  void require_small(const std::string& key, const Array& values) const {
+    if (!(values.abs() <= kLargestCoordinate).all()) {
+      refuse(key, fmt::format("numbers up to {:g}", kLargestCoordinate), "others");
+    }
+  }
+
+  void check(const aiMesh& mesh, const std::string& key) const {
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      require_small(key, Eigen::Array3f::Map(&mesh.mVertices[v].x));
+    }
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      for (unsigned i = 0; i < face.mNumIndices; ++i) {
+        require_index(key + ", vertex of a face", face.mIndices[i], mesh.mNumVertices);
+      }
+    }
+    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+      const aiBone& bone = *mesh.mBones[b];
+      require_small(bone.mName.C_Str(), to_eigen(bone.mOffsetMatrix).array());
+      for (unsigned i = 0; i < bone.mNumWeights; ++i) {
+        require_index(fmt::format("{}, vertex that {} moves", key, bone.mName.C_Str()),
+                      bone.mWeights[i].mVertexId, mesh.mNumVertices);
+      }
+    }
+  }
+
+  void check(const aiNode& node, const Eigen::Matrix4d& scene_from_parent, std::size_t depth) {
+    const std::string name = node.mName.C_Str();
+    if (depth > kDeepestNode) refuse(name, fmt::format("{} nodes deep", kDeepestNode), "more");
+    const Eigen::Matrix4d scene_from_node = scene_from_parent * to_eigen(node.mTransformation);
+    require_small(name, scene_from_node.array());
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      require_index(name + ", mesh", node.mMeshes[i], scene_.mNumMeshes);
+      vertices_ += scene_.mMeshes[node.mMeshes[i]]->mNumVertices;
+    }
+    if (vertices_ > kMostVertices) refuse("", fmt::format("{} vertices", kMostVertices), "more");
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      check(*node.mChildren[i], scene_from_node, depth + 1);
+    }
+  }
+
+  const aiScene& scene_;
+  std::string file_;
+  std::size_t vertices_ = 0;
+};
+
+}  // namespace
+
+const aiScene& read_scene(Assimp::Importer& importer, const fs::path& file, unsigned steps,
+                          const std::string& what) {
+  std::error_code absent;  // read_text() and assimp report that
+  const std::uintmax_t size = fs::file_size(file, absent);
+  if (!absent && size > kLargestFile) {
+    throw Error({file.string(), "", fmt::format("at most {} MiB", kLargestFile >> 20),
+                 fmt::format("{} bytes", size)});
+  }
+  import(importer, file);
+  const aiScene* scene = importer.GetScene();
+  if (scene != nullptr) {
+    SceneCheck(*scene, file.string()).run();
+    scene = importer.ApplyPostProcessing(steps);
+  }
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    throw Error({file.string(), "", what, importer.GetErrorString()});
+  }
+  return *scene;
+}
+
+}  // namespace graspdb
