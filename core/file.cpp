@@ -28,27 +28,42 @@ std::string aside_start(const fs::path& path) {
   return fmt::format("{}.{}.", path.string(), host);
 }
 
+// Where a file of that name is written: what a link leads to, not the link. Only a file is
+// replaced: the one that is renamed would take the place of a device, too.
+fs::path place_of(const fs::path& path) {
+  std::error_code unknown;  // open() reports what matters
+  const fs::path place = fs::is_symlink(path, unknown) ? fs::weakly_canonical(path, unknown) : path;
+  const fs::file_status status = fs::status(place, unknown);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return place;
+  throw Error({.file = path.string(),
+               .expected = "a file to write",
+               .found = fs::is_directory(status) ? "a folder" : "a device or a pipe"});
+}
+
 }  // namespace
 
 std::string read_text(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
+  const auto refuse = [&](const std::string& found) -> Error {
+    return Error({.file = path.string(), .expected = "a readable file", .found = found});
+  };
   std::error_code unknown;  // such as a name that no file can have
-  const bool is_file = fs::is_regular_file(path, unknown);
-  if (!is_file || !stream || !(text << stream.rdbuf())) {
-    if (is_file && fs::file_size(path) == 0) return {};
-    throw Error({.file = path.string(),
-                 .expected = "a readable file",
-                 .found = fs::exists(path, unknown) ? "something else" : "none"});
-  }
+  if (fs::is_directory(path, unknown)) throw refuse("a folder");
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw refuse(errno == ENOENT ? "none" : std::strerror(errno));
+  if (!fs::is_regular_file(path, unknown)) throw refuse("something else");
+  std::ostringstream text;
+  const bool is_empty = stream.peek() == std::ifstream::traits_type::eof();
+  if (!is_empty && !(text << stream.rdbuf())) throw refuse(std::strerror(errno));
   return text.str();
 }
 
-FileAside::FileAside(fs::path path)
-    : path_(std::move(path)), aside_(fmt::format("{}{}.tmp", aside_start(path_), ::getpid())) {
-  if (path_.has_parent_path()) {
-    std::error_code ignored;  // open() reports what matters
-    fs::create_directories(path_.parent_path(), ignored);
+FileAside::FileAside(fs::path path) : path_(std::move(path)), place_(place_of(path_)) {
+  aside_ = fmt::format("{}{}.tmp", aside_start(place_), ::getpid());
+  if (place_.has_parent_path()) {
+    std::error_code fault;
+    fs::create_directories(place_.parent_path(), fault);
+    if (fault) throw Error(cannot("create its folder", fault.message()));
   }
   descriptor_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor_ < 0) fail("create");
@@ -60,8 +75,12 @@ FileAside::~FileAside() {
   ::unlink(aside_.c_str());
 }
 
+std::string FileAside::cannot(const char* doing, const std::string& why) const {
+  return fmt::format("{}: cannot {}: {}", path_.string(), doing, why);
+}
+
 void FileAside::fail(const char* doing) const {
-  throw Error(fmt::format("{}: cannot {}: {}", path_.string(), doing, std::strerror(errno)));
+  throw Error(cannot(doing, std::strerror(errno)));
 }
 
 void FileAside::write(std::span<const std::byte> bytes) {
@@ -79,7 +98,7 @@ void FileAside::write(std::string_view text) {
 
 void FileAside::commit() {
   if (::fsync(descriptor_) != 0) fail("flush");
-  if (::rename(aside_.c_str(), path_.c_str()) != 0) fail("rename into place");
+  if (::rename(aside_.c_str(), place_.c_str()) != 0) fail("rename into place");
   ::close(descriptor_);
   descriptor_ = -1;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/pictures/export_coco.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -10,6 +11,7 @@
 #include "coco_text.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/core/folder.h"
 #include "graspdb/core/parallel.h"
 #include "graspdb/pictures/database_rows.h"
 #include "graspdb/pictures/write_view.h"
@@ -23,24 +25,23 @@ using Rows = std::span<const std::size_t>;
 
 constexpr const char* kMarker = "graspdb_export.json";
 constexpr const char* kAnnotations = "annotations.json";
-constexpr std::array kFolders = {"images", "masks", "hand_amodal", "object_amodal", "depth"};
 
-// Takes the folder over, or refuses one that holds something else. What an earlier export left in
-// it goes, so that no picture is there without its annotation.
-void prepare_folder(const fs::path& directory, const Database& database, std::size_t rows) {
-  const bool used =
-      fs::exists(directory) && (!fs::is_directory(directory) || !fs::is_empty(directory));
-  if (used && !fs::exists(directory / kMarker)) {
-    throw Error(
-        {directory.string(), "", "an empty folder, or one of an earlier export", "something else"});
+FolderContent export_content() {
+  FolderContent content{.kind = "an earlier export", .marker = kMarker, .files = {kAnnotations}};
+  for (const char* folder : {"images", "masks", "hand_amodal", "object_amodal", "depth"}) {
+    content.files.push_back(fmt::format("{}/{}.png", folder, digits(12)));
   }
-  fs::remove(directory / kAnnotations);
-  remove_leftovers(directory / kAnnotations);
+  return content;
+}
+
+// What an earlier export left in the folder goes, so that no picture is there without its
+// annotation.
+void prepare_folder(const fs::path& directory, const Database& database, std::size_t rows) {
+  renew_folder(directory, export_content());
   const nlohmann::json marker{{"database", database.path().string()},
                               {"content_hash", database.content_hash()},
                               {"rows", rows}};
   write_text(directory / kMarker, marker.dump(1) + "\n");
-  for (const char* folder : kFolders) fs::remove_all(directory / folder);
 }
 
 // The rows from the start of `rows` that are rendered by one thread from one scene.

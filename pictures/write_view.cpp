@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "graspdb/core/file.h"
+#include "graspdb/core/folder.h"
 #include "graspdb/core/json/json_numbers.h"
 #include "graspdb/renderer/image_io.h"
 
@@ -12,6 +13,16 @@ namespace {
 
 namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
+
+constexpr const char* kDescription = "view.json";
+
+// `sheet.png` is drawn by those who want it.
+FolderContent view_content() {
+  return {.kind = "one view",
+          .marker = ".graspdb-view",
+          .files = {"shading.png", "label.png", "part.png", "depth.png", "depth.exr", "normal.exr",
+                    "hand_amodal.png", "object_amodal.png", "sheet.png", kDescription}};
+}
 
 json or_null(const auto& optional) {
   return optional ? json(*optional) : json(nullptr);
@@ -116,8 +127,7 @@ Image<std::uint16_t> depth_in_mm(const Image<float>& meters) {
 }
 
 void write_view(const fs::path& directory, const LabelledView& view, const ViewSource& source) {
-  const fs::path description = directory / "view.json";
-  fs::remove(description);
+  renew_folder(directory, view_content());
   const View& picture = view.picture;
   write_png(directory / "shading.png", picture.shading);
   write_png(directory / "label.png", picture.label);
@@ -127,7 +137,7 @@ void write_view(const fs::path& directory, const LabelledView& view, const ViewS
   write_exr(directory / "normal.exr", picture.normal);
   write_png(directory / "hand_amodal.png", picture.hand_amodal);
   write_png(directory / "object_amodal.png", picture.object_amodal);
-  write_text(description, describe(view, source).dump(1) + "\n");
+  write_text(directory / kDescription, describe(view, source).dump(1) + "\n");
 }
 
 }  // namespace graspdb

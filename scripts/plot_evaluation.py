@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Draws what `graspdb eval --out DIR` wrote: one PNG a figure (docs/evaluation.md).
 
-    scripts/plot_evaluation.py DIR [--out FIGURES]
+    scripts/plot_evaluation.py DIR --out FIGURES
 
 Needs matplotlib: scripts/install.sh python3-matplotlib
 """
@@ -280,10 +280,10 @@ FIGURES = {
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("directory", type=pathlib.Path, help="what graspdb eval --out wrote")
-    parser.add_argument("--out", type=pathlib.Path, help="where the figures go [the same]")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="where the figures go")
     arguments = parser.parse_args()
     evaluation, columns = read(arguments.directory)
-    out = arguments.out or arguments.directory
+    out = arguments.out
     out.mkdir(parents=True, exist_ok=True)
     plt.rcParams.update({"axes.spines.top": False, "axes.spines.right": False,
                          "legend.frameon": False, "figure.constrained_layout.use": True})

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Makes the databases, tracks a set of sequences through segmentation noise, and draws what came out.
 #   scripts/reproduce.sh [train|test]   train when absent: the test set is for telling, not for choosing
-# Everything lands in out/reproduce/SET: tables (eval.txt, photoreal.txt), the paper's claims (claims.md), eval.json,
-# frames.csv, runs.csv, plots, the map of confused types, and a page (report.html) on which each sequence plays
-# frame by frame.
+# Everything lands in out/reproduce/SET: tables (main.txt, photoreal.txt), the paper's claims (claims.md), the
+# evaluations (main, photoreal, ...: eval.json, frames.csv, runs.csv), plots, the map of confused types, and a
+# page (report.html) on which each sequence plays frame by frame.
 set -euo pipefail
 set=${1:-train}
 [[ $set =~ ^(train|test)$ ]] || {
@@ -32,9 +32,9 @@ evaluate() { # DATABASE OUT OPTIONS...
 build both hands
 build held held
 build free free
-evaluate hands "$out" --alphas "$alphas" | tee "$out/eval.txt"
+evaluate hands "$out/main" --alphas "$alphas" | tee "$out/main.txt"
 evaluate hands "$out/photoreal" --photoreal "sequences/photoreal/$set" --alphas "$alphas" | tee "$out/photoreal.txt"
-$python scripts/plot_evaluation.py "$out" --out "$out/plots"
+$python scripts/plot_evaluation.py "$out/main" --out "$out/plots"
 $python scripts/plot_evaluation.py "$out/photoreal" --out "$out/plots/photoreal"
 
 # What the claims ask for besides.
@@ -43,13 +43,13 @@ evaluate free "$out/free" --alphas 0 >/dev/null
 evaluate hands "$out/seen_hand" --alphas 0 --hand assets/hands/male.glb >/dev/null
 evaluate hands "$out/seen_grasp" --alphas 0 --hand assets/hands/male.glb --grasps grasps >/dev/null
 "$graspdb" bench "$databases/hands.graspdb" --json >"$out/bench.json"
-$python scripts/claims.py --main "$out" --held "$out/held" --free "$out/free" --seen-hand "$out/seen_hand" \
+$python scripts/claims.py --main "$out/main" --held "$out/held" --free "$out/free" --seen-hand "$out/seen_hand" \
     --seen-grasp "$out/seen_grasp" --bench "$out/bench.json" --photoreal "$out/photoreal" --out "$out/claims.md"
 
 $python scripts/confusability.py "$databases/held.graspdb" --out "$out/plots/confusability.png"
-$python scripts/worst_frames.py "$out" --db "$databases/hands.graspdb" --sequences "sequences/$set" --out "$out/plots/worst.jpg"
+$python scripts/worst_frames.py "$out/main" --db "$databases/hands.graspdb" --sequences "sequences/$set" --out "$out/plots/worst.jpg"
 for sequence in "sequences/$set"/*.seq.toml; do
     "$graspdb" sequence "$sequence" --alpha 0.5 --out "$out/rendered/$(basename "$sequence" .seq.toml)"
 done
-$python scripts/report.py "$out" --db "$databases/hands.graspdb" --sequences "$out"/rendered/* --out "$out/report.html"
-echo "tables: $out/eval.txt $out/photoreal.txt   claims: $out/claims.md   plots: $out/plots   page: $out/report.html"
+$python scripts/report.py "$out/main" --db "$databases/hands.graspdb" --sequences "$out"/rendered/* --out "$out/report.html"
+echo "tables: $out/main.txt $out/photoreal.txt   claims: $out/claims.md   plots: $out/plots   page: $out/report.html"

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "graspdb/core/file.h"
+#include "graspdb/core/folder.h"
 #include "graspdb/core/json/json_numbers.h"
 #include "graspdb/sequences/sequence.h"
 
@@ -15,6 +16,13 @@ namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little);
 
 constexpr const char* kHeader = "meshes.json";
+
+FolderContent meshes_content() {
+  return {.kind = "a sequence's meshes",
+          .marker = ".graspdb-meshes",
+          .files = {kHeader, "hand_triangles.u32", "hand_bind.f32", "hand_bones.u8",
+                    "hand_vertices.f32", "object_triangles.u32", "object_vertices.f32"}};
+}
 
 template <typename Value>
 void write_array(const fs::path& file, const std::vector<Value>& values) {
@@ -63,9 +71,7 @@ void write_hand_vertices(const SequenceRenderer& renderer, const fs::path& file)
 void write_meshes(const SequenceRenderer& renderer, const fs::path& directory) {
   const SequenceSpec& spec = renderer.spec();
   const Hand& hand = renderer.hand();
-  fs::create_directories(directory);
-  for (const char* file : {kHeader, "object_triangles.u32", "object_vertices.f32"})
-    fs::remove(directory / file);
+  renew_folder(directory, meshes_content());
   write_array(directory / "hand_triangles.u32", hand.bind_mesh.triangles);
   write_array(directory / "hand_bind.f32", hand.bind_mesh.vertices);
   write_array(directory / "hand_bones.u8", strongest_bones(hand));

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "graspdb/core/file.h"
+#include "graspdb/core/folder.h"
 #include "graspdb/core/json/json_numbers.h"
 #include "graspdb/core/json/strict_json.h"
 #include "graspdb/core/parallel.h"
@@ -62,20 +63,13 @@ json describe_sequence(const SequenceRenderer& renderer, const SequenceNoise& no
           {"noise", {{"alpha_percent", noise.alpha_percent}, {"seed", noise.seed}}}};
 }
 
-// Removes what an earlier, perhaps longer, sequence left there. Without sequence.json an unfinished
-// folder is not taken for a sequence.
-void prepare_folder(const std::filesystem::path& directory) {
-  for (const char* file : {"sequence.json", "truth.jsonl"})
-    std::filesystem::remove(directory / file);
-  for (const char* name : {"frames", "masks", "noisy"}) {
-    const std::filesystem::path folder = directory / name;
-    std::filesystem::create_directories(folder);
-    std::vector<std::filesystem::path> stale;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      if (entry.path().extension() == ".png") stale.push_back(entry.path());
-    }
-    for (const auto& file : stale) std::filesystem::remove(file);
-  }
+// Without sequence.json an unfinished folder is not taken for a sequence.
+FolderContent sequence_content() {
+  const std::string name = digits(6) + ".png";
+  return {.kind = "a rendered sequence",
+          .marker = ".graspdb-sequence",
+          .files = {"frames/" + name, "masks/" + name, "noisy/" + name, "truth.jsonl",
+                    "sequence.json"}};
 }
 
 }  // namespace
@@ -85,7 +79,7 @@ void write_sequence(const SequenceRenderer& renderer, const std::filesystem::pat
   const auto count = static_cast<std::size_t>(renderer.spec().frame_count());
   std::mutex mutex;
   std::size_t done = 0;
-  prepare_folder(directory);
+  renew_folder(directory, sequence_content());
   std::vector<double> occlusion(count);
   parallel_for(count, 0, [&](std::size_t i) {
     const SequenceFrame frame = renderer.render(static_cast<int>(i));

@@ -2,6 +2,7 @@
 #include "graspdb/core/file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,6 +55,47 @@ TEST(File, AnEmptyFileReadsAsNothing) {
   const testing::TemporaryDirectory directory;
   write_text(directory / "empty", "");
   EXPECT_EQ(read_text(directory / "empty"), "");
+}
+
+std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    FileAside file(path);
+    file.commit();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "written";
+}
+
+TEST(File, NeverTakesThePlaceOfAFolderOrADevice) {
+  const testing::TemporaryDirectory directory;
+  EXPECT_THAT(refusal_of(directory.path()), HasSubstr("found a folder"));
+  const auto pipe = directory / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(refusal_of(pipe), HasSubstr("a device or a pipe"));
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+TEST(File, IsWrittenWhereALinkLeads) {
+  const testing::TemporaryDirectory directory;
+  write_text(directory / "far/file", "old");
+  std::filesystem::create_symlink("far/file", directory / "link");
+  write_text(directory / "link", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(directory / "link"));
+  EXPECT_EQ(read_text(directory / "far/file"), "new");
+}
+
+TEST(File, SaysWhyTheSystemRefuses) {
+  const testing::TemporaryDirectory directory;
+  write_text(directory / "file", "");
+  EXPECT_THAT(refusal_of(directory / "file/inside"), HasSubstr("Not a directory"));
+  EXPECT_THAT(refusal_of("/proc/self/folder/file"), HasSubstr("No such file"));
+  try {
+    read_text(directory / "file/inside");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("Not a directory"));
+  }
 }
 
 TEST(File, LeftoversOfKilledWritersAreRemovedAndNoOthers) {

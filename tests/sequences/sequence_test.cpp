@@ -189,13 +189,22 @@ TEST_F(ShortSequence, WhatWasNotWrittenSoIsRefusedWithFileAndKey) {
 
 TEST_F(ShortSequence, PicturesOfALongerOneBeforeAreRemoved) {
   const testing::TemporaryDirectory directory;
-  const auto stale = directory / "frames/000005.png", foreign = directory / "frames/notes.txt";
-  std::filesystem::create_directories(stale.parent_path());
+  write_sequence(*renderer_, directory.path(), {});
+  const auto stale = directory / "frames/000005.png";
   write_text(stale, "");
-  write_text(foreign, "");
   write_sequence(*renderer_, directory.path(), {});
   EXPECT_FALSE(std::filesystem::exists(stale));
-  EXPECT_TRUE(std::filesystem::exists(foreign));
+}
+
+TEST_F(ShortSequence, PicturesOfSomebodyElseAreNotTouched) {
+  const testing::TemporaryDirectory directory;
+  for (const char* name : {"frames/000001.png", "masks/holiday.png", "truth.jsonl"}) {
+    const std::filesystem::path folder = directory / std::string(1, name[0]);
+    write_text(folder / name, "mine");
+    EXPECT_THROW(write_sequence(*renderer_, folder, {}), Error) << name;
+    EXPECT_THROW(write_meshes(*renderer_, folder), Error) << name;
+    EXPECT_EQ(read_text(folder / name), "mine");
+  }
 }
 
 TEST_F(ShortSequence, TheObjectHidesTheShareOfTheHandThatItIsInFrontOf) {

@@ -14,8 +14,9 @@ std::string read_text(const std::filesystem::path& path);
 
 // A file that appears under its name only when it is complete: bytes go to a sibling temporary
 // file, which commit() flushes to the disk and renames. Destroyed without commit() it leaves
-// nothing. Every failure, a full disk among them, is an Error that names the final path. Not
-// thread-safe.
+// nothing. The folder is made when there is none; a link is followed. Every failure, a full disk or
+// a name that a folder or a device has among them, is an Error that names the final path and the
+// system's reason. Not thread-safe.
 class FileAside {
  public:
   explicit FileAside(std::filesystem::path path);
@@ -28,9 +29,11 @@ class FileAside {
   void commit();
 
  private:
+  std::string cannot(const char* doing, const std::string& why) const;
   [[noreturn]] void fail(const char* doing) const;
 
   std::filesystem::path path_;
+  std::filesystem::path place_;  // where a link leads
   std::filesystem::path aside_;
   int descriptor_ = -1;
 };

@@ -27,7 +27,8 @@ Image<std::uint16_t> depth_in_mm(const Image<float>& meters);
 
 // Writes shading.png, label.png, part.png, depth.png, depth.exr, normal.exr, hand_amodal.png,
 // object_amodal.png, each aside and renamed, and last view.json, so that an unfinished folder has
-// none. The view has all layers. Throws Error.
+// none. The folder is new, or holds an earlier view and nothing else, which goes. The view has all
+// layers. Throws Error.
 void write_view(const std::filesystem::path& directory, const LabelledView& view,
                 const ViewSource& source);
 

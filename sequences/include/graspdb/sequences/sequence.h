@@ -136,12 +136,13 @@ struct SequenceNoise {
 };
 
 // Writes frames/, masks/ (visible hand), noisy/ (the masks with segmentation noise), truth.jsonl
-// and sequence.json into `directory`; what an earlier sequence left there is removed first.
+// and sequence.json into `directory`. It is new, or holds an earlier sequence and nothing else,
+// which goes; else that is an Error.
 void write_sequence(const SequenceRenderer& renderer, const std::filesystem::path& directory,
                     const SequenceNoise& noise, const Progress& progress = {});
 
 // Writes what another renderer needs to show the very same hand, object and camera: meshes.json and
-// arrays of little-endian numbers (docs/sequences.md). An earlier export there is removed first.
+// arrays of little-endian numbers (docs/sequences.md). The same holds for the folder.
 void write_meshes(const SequenceRenderer& renderer, const std::filesystem::path& directory);
 
 // What write_sequence wrote, but for the pictures.
