@@ -75,7 +75,7 @@ void repeat(std::uint8_t value, std::size_t rows, const ByteSink& sink) {
 }  // namespace
 
 void join_databases(const std::filesystem::path& path, const DatabaseInfo& info,
-                    std::span<const DatabasePart> parts) {
+                    std::span<const DatabasePart> parts, const std::function<void()>& heed) {
   std::vector<std::unique_ptr<OpenPart>> open;
   std::size_t rows = 0;
   for (const DatabasePart& part : parts) {
@@ -85,6 +85,7 @@ void join_databases(const std::filesystem::path& path, const DatabaseInfo& info,
   }
   write_columns(path, info, rows, [&](ColumnIndex column, const ByteSink& sink) {
     for (const auto& part : open) {
+      if (heed) heed();
       const std::size_t count = part->header.rows;
       if (column == kHand) {
         repeat(part->hand, count, sink);

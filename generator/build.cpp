@@ -9,6 +9,7 @@
 #include "data_card.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/core/folder.h"
 #include "graspdb/core/parallel.h"
 #include "graspdb/generator/generator.h"
 #include "rows.h"
@@ -24,6 +25,10 @@ constexpr const char* kConfigName = "build.json";  // in the work folder, for me
 
 fs::path work_of(const BuildJob& job) {
   return job.work.empty() ? fs::path(job.out.string() + ".work") : job.work;
+}
+
+void heed_stop(const BuildJob& job) {
+  if (job.stop && job.stop()) throw Error("interrupted");
 }
 
 // A shard that is being made: its rows, and how many of its steps are still to do.
@@ -66,6 +71,7 @@ class Maker {
 
  private:
   void add(const Shard& shard) {
+    heed_stop(job_);  // to see whether it is finished it is read whole
     ++shard_count_;
     const fs::path file = shard_file(work_, plan_, shard);
     remove_leftovers(file);
@@ -81,25 +87,21 @@ class Maker {
     making_.push_back(std::move(making));
   }
 
-  void heed_stop() const {
-    if (job_.stop && job_.stop()) throw Error("interrupted");
-  }
-
   // Ahead of the steps, so that all threads close hands, which can take a second each.
   void size_grasps() {
     parallel_for(making_.size(), job_.threads, [&](std::size_t i) {
-      heed_stop();
+      heed_stop(job_);
       sized_.of(making_[i]->shard);
     });
   }
 
   void make_step(Making& making, int step) {
-    heed_stop();
+    heed_stop(job_);
     std::call_once(making.allocated, [&] { making.rows.resize(plan_.rows_per_shard()); });
     const std::size_t views = plan_.views.size();
     const std::size_t first = static_cast<std::size_t>(step - 1) * views;
     make_rows(plan_, making.shard, sized_.of(making.shard), step,
-              std::span(making.rows).subspan(first, views));
+              std::span(making.rows).subspan(first, views), [&] { heed_stop(job_); });
     if (--making.steps_left == 0) finish(making);
     report(views);
   }
@@ -138,13 +140,14 @@ void merge(const Plan& plan, const BuildJob& job) {
   }
   DatabaseInfo info = describe_plan(plan);
   info.data_card = data_card(plan);
-  join_databases(job.out, info, parts);
+  join_databases(job.out, info, parts, [&] { heed_stop(job); });
 }
 
 // A place that cannot be written is found before the work, not after it.
 void prepare(const Plan& plan, const BuildJob& job) {
   remove_leftovers(job.out);
   FileAside(job.out).write("");
+  claim_folder(work_of(job), {"shards of a build", kConfigName, {"*.graspdb"}});
   const fs::path config = work_of(job) / kConfigName;
   remove_leftovers(config);
   write_text(config, config_to_json(plan.config));

@@ -18,6 +18,7 @@
 #include "graspdb/core/json/strict_json.h"
 #include "graspdb/core/toml.h"
 #include "graspdb/database/database.h"
+#include "graspdb/grasps/grasp.h"
 #include "jitter.h"
 
 namespace graspdb {
@@ -148,7 +149,7 @@ BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
   }
   config.grasps = found(table, "grasps", table.string_or("grasps", "grasps"), beside);
   if (table.has("only")) {
-    for (const double id : table.numbers("only", -1, 1, 65535)) {
+    for (const double id : table.numbers("only", -1, 1, kLargestGrasp)) {
       if (id != std::floor(id)) table.fail("only", "whole numbers", fmt::format("{}", id));
       config.only.push_back(static_cast<int>(id));
     }

@@ -81,10 +81,11 @@ Light row_light(const Plan& plan, const Shard& shard, std::size_t view) {
 }
 
 void make_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step,
-               std::span<Row> rows) {
+               std::span<Row> rows, const std::function<void()>& heed) {
   const JitterDraw draw = draw_of(plan, shard);
   const RowPose posed = pose_rows(plan, shard, sized, step);
   for (std::size_t view = 0; view < rows.size(); ++view) {
+    if (heed) heed();
     Row& row = rows[view] = make_row(plan, draw, posed.scene, view);
     row.label = pack_label({plan.views[view], posed.pose.angles});
     row.grasp = static_cast<std::uint16_t>(sized.grasp.id);

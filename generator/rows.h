@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <span>
@@ -45,8 +46,9 @@ Camera row_camera(const Plan& plan, const PosedScene& posed, std::size_t view);
 Light row_light(const Plan& plan, const Shard& shard, std::size_t view);
 
 // Renders and describes all views of one step of a shard: rows[i] becomes view i, as a row of a
-// database of the shard alone (hand 0, variant 0). Pure and thread-safe.
+// database of the shard alone (hand 0, variant 0). Pure and thread-safe. `heed` is called before
+// each row; what it throws ends the work.
 void make_rows(const Plan& plan, const Shard& shard, const SizedGrasp& sized, int step,
-               std::span<Row> rows);
+               std::span<Row> rows, const std::function<void()>& heed = {});
 
 }  // namespace graspdb

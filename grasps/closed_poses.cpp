@@ -42,7 +42,7 @@ ClosedPoses load_closed_poses(const std::filesystem::path& path) {
   ClosedPoses closed{.hand = file.string("hand")};
   closed.hand_length = file.number("hand_length_mm", 100, 300) / 1000;
   for (const TomlTable& table : file.tables("grasp")) {
-    const int id = table.integer("number", 1, 65535);
+    const int id = table.integer("number", 1, kLargestGrasp);
     closed.grasp_hashes[id] = table.string("grasp_hash");
     if (!closed.poses.emplace(id, read_pose(table)).second) {
       table.fail("number", "a number of its own", std::to_string(id));

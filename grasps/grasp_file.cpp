@@ -188,7 +188,7 @@ Grasp load_grasp(const fs::path& path) {
   const TomlTable file = TomlTable::load(path);
   Grasp grasp;
   grasp.file = path;
-  grasp.id = file.integer("number", 1, 65535);
+  grasp.id = file.integer("number", 1, kLargestGrasp);
   grasp.name = file.string("name");
   read_taxonomy(file.table("taxonomy"), grasp);
   read_touch(file.table("touch"), grasp);

@@ -201,8 +201,8 @@ TEST_F(Shards, OfABuildThatWasStoppedAreKept) {
   fs::remove(directory_ / "a.graspdb");
   BuildJob stopped = job();
   stopped.threads = 1;
-  int asked = 0;
-  stopped.stop = [&] { return ++asked > 5; };
+  std::size_t asked = 0;
+  stopped.stop = [&] { return ++asked > 2 * kShardRows; };
   const std::string message = refusal([&] { build_database(config_, stopped); });
   EXPECT_THAT(message, HasSubstr("interrupted"));
   EXPECT_THAT(message, HasSubstr("of 4 shards are finished"));
@@ -211,6 +211,18 @@ TEST_F(Shards, OfABuildThatWasStoppedAreKept) {
   const BuildReport resumed = build();
   EXPECT_LT(resumed.rendered_rows, 4 * kShardRows);
   EXPECT_EQ(resumed.content_hash, hash);
+}
+
+// A pose can have 100,000 views: 12 seconds.
+TEST_F(Shards, AStopIsAskedForAtEveryRow) {
+  BuildJob stopped = job();
+  stopped.threads = 1;
+  std::size_t asked = 0, done = 0;
+  stopped.stop = [&] { return ++asked > kShardRows; };
+  stopped.progress = [&](std::size_t rows, std::size_t) { done = rows; };
+  refusal([&] { build_database(config_, stopped); });
+  EXPECT_EQ(asked, kShardRows + 1);
+  EXPECT_LT(done, kShardRows);
 }
 
 // A file that may not grow stands for a disk that is full.

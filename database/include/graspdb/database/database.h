@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -75,9 +76,10 @@ struct DatabasePart {
 // Writes the rows of all parts, one part after another, as one database, aside and renamed; no more
 // than a piece of a column is held in memory. Throws Error when a part is no database or does not
 // belong to `info`: another hand, grasp, descriptor, processor, number of views... The content of
-// the parts is taken as it is: see verify_database.
+// the parts is taken as it is: see verify_database. `heed` is called again and again; what it
+// throws ends the work and leaves no file.
 void join_databases(const std::filesystem::path& path, const DatabaseInfo& info,
-                    std::span<const DatabasePart> parts);
+                    std::span<const DatabasePart> parts, const std::function<void()>& heed = {});
 
 // A mapped database. Opening checks header and sizes, not the content: see verify. Cheap to move;
 // reading is thread-safe; spans live as long as the database.

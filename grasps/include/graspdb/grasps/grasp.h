@@ -45,6 +45,8 @@ struct Waypoint {
   std::optional<Eigen::Vector3d> approach;  // as in Grasp, at this place
 };
 
+constexpr int kLargestGrasp = 65535;  // an id
+
 // One file of grasps/*.toml; docs/grasps.md describes the format.
 struct Grasp {
   int id = 0;  // 1..33 are Feix's, a user's own start at 100
