@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "checks.h"
 #include "console.h"
 #include "graspdb/bench/held_out_queries.h"
 #include "graspdb/bench/tracker_bench.h"
@@ -74,13 +75,13 @@ void add_bench(CLI::App& app) {
       app.add_subcommand("bench", "Time searches and tracker, and measure their recall and memory");
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("--queries", options->queries, "Views between the database's own")
-      ->check(CLI::Range(1, 100000));
-  verb->add_option("-k", options->k, "Neighbours")->check(CLI::Range(1, 1000));
+      ->check(range(1, 100000));
+  verb->add_option("-k", options->k, "Neighbours")->check(range(1, 1000));
   verb->add_option("--video", options->video,
                    "What the tracker is shown, as for `track` [a rendered sequence]");
   verb->add_option("--frames", options->frames,
                    "Frames that are timed; a shorter video is shown again")
-      ->check(CLI::Range(1, 100000));
+      ->check(range(1, 100000));
   verb->add_flag("--json", options->json, "As JSON");
   verb->callback([options] { run(*options); });
 }

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <csignal>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "checks.h"
 #include "console.h"
 #include "graspdb/core/error.h"
 #include "graspdb/generator/generator.h"
@@ -26,18 +26,6 @@ struct BuildArguments {
   int threads = 0;
   bool json = false;
 };
-
-volatile std::sig_atomic_t g_interrupted = 0;
-
-// The first Ctrl-C ends the build in good order, a second one at once.
-void stop_on_interrupt() {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    std::signal(signal, [](int number) {
-      g_interrupted = 1;
-      std::signal(number, SIG_DFL);
-    });
-  }
-}
 
 BuildConfig config_of(const BuildArguments& options) {
   BuildConfig config;
@@ -64,7 +52,7 @@ BuildJob job_of(const BuildArguments& options) {
   BuildJob job{.out = options.out, .work = options.work, .threads = options.threads};
   read_shard(options.shard, job);
   job.progress = console_progress("made", "rows");
-  job.stop = [] { return g_interrupted != 0; };
+  job.stop = interrupted;
   return job;
 }
 
@@ -107,7 +95,7 @@ void run_build(const BuildArguments& options) {
 
 void add_job(CLI::App& verb, BuildArguments& options) {
   verb.add_option("--threads", options.threads, "Threads, 0 for all processors; changes no byte")
-      ->check(CLI::Range(0, 1024));
+      ->check(range(0, 1024));
   verb.add_flag("--json", options.json, "The report as JSON");
 }
 
@@ -126,25 +114,25 @@ class RowOptions {
         add("--grasps", &BuildConfig::grasps, "The folder of grasp files [the project's own]");
     forget(grasps, &BuildConfig::grasp_hashes);
     add("--only", &BuildConfig::only, "Grasp numbers, by commas [all]")
+        ->check(range(1, kLargestGrasp))
         ->delimiter(',')
         ->allow_extra_args(false);
     add("--objects", &BuildConfig::objects,
         "held: the object hides what it hides; free: the same poses without it; both")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Objects>{
-            {"held", Objects::kHeld}, {"free", Objects::kFree}, {"both", Objects::kBoth}}))
+        ->transform(named<Objects>(
+            {{"held", Objects::kHeld}, {"free", Objects::kFree}, {"both", Objects::kBoth}}))
         ->default_str("held");
-    add("--steps", &BuildConfig::steps, "Steps from rest to the closed hand")
-        ->check(CLI::Range(1, 20));
+    add("--steps", &BuildConfig::steps, "Steps from rest to the closed hand")->check(range(1, 20));
     add("--views", &BuildConfig::views, "Orientations, evenly over all rotations")
-        ->check(CLI::Range(1, 100000));
+        ->check(range(1, 100000));
     add("--resolution", &BuildConfig::resolution, "Side of a picture, pixels")
-        ->check(CLI::Range(16, 1024));
+        ->check(range(16, 1024));
     add("--distance", &BuildConfig::distance, "From the camera to the palm, metres")
-        ->check(CLI::Range(0.2, 5.0));
+        ->check(range(0.2, 5.0));
     add("--renderer", &BuildConfig::renderer,
         "raster draws triangles, embree casts rays: the same pictures, raster faster")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, RowRenderer>{
-            {"raster", RowRenderer::kRaster}, {"embree", RowRenderer::kEmbree}}))
+        ->transform(named<RowRenderer>(
+            {{"raster", RowRenderer::kRaster}, {"embree", RowRenderer::kEmbree}}))
         ->default_str("raster");
     add_forearm();
     add_hog();
@@ -156,7 +144,7 @@ class RowOptions {
   void add_jitter(const char* name, T Jitter::*member, const char* text, T low, T high) {
     Jitter& given = options_.given.jitter;
     CLI::Option* option =
-        verb_.add_option(name, given.*member, text)->check(CLI::Range(low, high))->group("Jitter");
+        verb_.add_option(name, given.*member, text)->check(range(low, high))->group("Jitter");
     options_.override.emplace_back([option, member, &given](BuildConfig& config) {
       if (option->count() > 0) config.jitter.*member = given.*member;
     });
@@ -199,7 +187,7 @@ class RowOptions {
     CLI::Option* option = verb_
                               .add_option("--forearm", options_.visible_forearm_mm,
                                           "Visible forearm beyond the wrist, mm")
-                              ->check(CLI::Range(0.0, 300.0));
+                              ->check(range(0.0, 300.0));
     options_.override.emplace_back(
         [option, &mm = options_.visible_forearm_mm](BuildConfig& config) {
           if (option->count() > 0) config.visible_forearm = mm / 1000;
@@ -208,7 +196,7 @@ class RowOptions {
 
   void add_hog() {
     CLI::Option* option = verb_.add_option("--hog", options_.hog, "The descriptor's mode")
-                              ->check(CLI::IsMember({"paper", "soft-edges"}));
+                              ->check(one_of({"paper", "soft-edges"}));
     options_.override.emplace_back([option, &hog = options_.hog](BuildConfig& config) {
       if (option->count() > 0) config.hog = hog_from_name(hog, "--hog");
     });
@@ -224,7 +212,9 @@ void add_build(CLI::App& app) {
   auto options = std::make_shared<BuildArguments>();
   CLI::App* verb =
       app.add_subcommand("build", "Render a database of views of hands holding objects");
-  verb->add_option("--out", options->out, "The database file to write")->required();
+  verb->add_option("--out", options->out, "The database file to write")
+      ->required()
+      ->check(output_file());
   CLI::Option* preset =
       verb->add_option("--preset", options->preset,
                        "paper: the paper's 106,920 rows; tracking: what `track` works best with");
@@ -233,7 +223,8 @@ void add_build(CLI::App& app) {
                    "A TOML file of options, or a database that is to be made again")
       ->excludes(preset);
   RowOptions(*verb, *options).add_all();
-  verb->add_option("--work", options->work, "The folder of finished shards [OUT.work]");
+  verb->add_option("--work", options->work, "The folder of finished shards [OUT.work]")
+      ->check(output_folder());
   verb->add_option("--shard", options->shard,
                    "i/n: make only the shards i, i + n, i + 2 n ...; `graspdb merge` joins them");
   add_job(*verb, *options);
@@ -248,10 +239,16 @@ void add_build(CLI::App& app) {
 void add_merge(CLI::App& app) {
   auto options = std::make_shared<BuildArguments>();
   CLI::App* verb = app.add_subcommand("merge", "Join the shards of `graspdb build --shard`");
-  verb->add_option("--out", options->out, "The database file to write")->required();
-  verb->add_option("--work", options->work, "The folder of finished shards [OUT.work]");
+  verb->add_option("--out", options->out, "The database file to write")
+      ->required()
+      ->check(output_file());
+  verb->add_option("--work", options->work, "The folder of finished shards [OUT.work]")
+      ->check(output_folder());
   add_job(*verb, *options);
-  verb->callback([options] { print(*options, merge_shards(job_of(*options))); });
+  verb->callback([options] {
+    stop_on_interrupt();
+    print(*options, merge_shards(job_of(*options)));
+  });
 }
 
 }  // namespace graspdb::cli

@@ -5,13 +5,14 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cmath>
-#include <cstdlib>
+#include <csignal>
 
 namespace graspdb::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+volatile std::sig_atomic_t g_interrupted = 0;
 
 class ProgressPrinter {
  public:
@@ -60,8 +61,15 @@ Progress console_progress(const std::string& what, const std::string& unit) {
              std::size_t done, std::size_t total) { (*printer)(done, total); };
 }
 
-std::string check_not_nan(const std::string& number) {
-  return std::isnan(std::strtod(number.c_str(), nullptr)) ? number + ": not a number" : "";
+void stop_on_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { g_interrupted = 1; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
+}
+
+bool interrupted() {
+  return g_interrupted != 0;
 }
 
 }  // namespace graspdb::cli

@@ -12,7 +12,9 @@ namespace graspdb::cli {
 // unknown. The bar ends when done and total are equal.
 Progress console_progress(const std::string& what, const std::string& unit);
 
-// A check of CLI11, whose ranges let NaN pass: an empty answer says that all is well.
-std::string check_not_nan(const std::string& number);
+// From now on the first Ctrl-C (or SIGTERM) only sets interrupted(), so that what was done is kept;
+// a second one ends the program.
+void stop_on_interrupt();
+bool interrupted();
 
 }  // namespace graspdb::cli

@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "checks.h"
 #include "console.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/core/folder.h"
 #include "graspdb/evaluation/eval_files.h"
 #include "graspdb/evaluation/evaluate.h"
 #include "graspdb/evaluation/nearest_object.h"
@@ -25,11 +27,10 @@ struct EvalArguments {
   bool json = false;
 };
 
-// Before the first sequence is run, not after minutes.
-void require_folder(const std::filesystem::path& out) {
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
-  if (error) throw Error({.file = out.string(), .expected = "a folder", .found = error.message()});
+FolderContent eval_content() {
+  return {.kind = "an evaluation",
+          .marker = ".graspdb-eval",
+          .files = {"frames.csv", "runs.csv", "eval.json"}};
 }
 
 void write_all(const EvalArguments& options, const EvalReport& report, const std::string& text) {
@@ -49,7 +50,8 @@ EvalOptions eval_options(const EvalArguments& options) {
 void run(const EvalArguments& options) {
   const Database database = Database::open(options.database);
   SequenceSet set(options.set);
-  if (!options.out.empty()) require_folder(options.out);
+  // Before the first sequence is run, not after minutes.
+  if (!options.out.empty()) claim_folder(options.out, eval_content());
   const PoseGrid grid(database);
   const auto search = open_search(database, options.tracker.search);
   const EvalOptions settings = eval_options(options);
@@ -92,7 +94,8 @@ void add_eval(CLI::App& app) {
   verb->add_option("DB", options->database, "The database")->required();
   add_sequence_options(*verb, options->set);
   add_noise_options(*verb, options->noise);
-  verb->add_option("--out", options->out, "A folder for eval.json, frames.csv and runs.csv");
+  verb->add_option("--out", options->out, "A folder for eval.json, frames.csv and runs.csv")
+      ->check(output_folder());
   verb->add_flag("--json", options->json, "JSON instead of tables");
   add_tracker_options(*verb, options->tracker);
   verb->remove_option(verb->get_option("--temporal"));  // all models are run

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "checks.h"
 #include "console.h"
 #include "grasp_template.h"
 #include "graspdb/core/error.h"
@@ -111,7 +112,7 @@ void add_new(CLI::App& grasp) {
   auto options = std::make_shared<NewOptions>();
   CLI::App* verb = grasp.add_subcommand("new", "Write a commented grasp file to start from");
   verb->add_option("NAME", options->name, "Of the grasp, e.g. \"Jar Lid\"")->required();
-  verb->add_option("--out", options->directory, "The folder to write to")->capture_default_str();
+  verb->add_option("--out", options->directory, "The folder to write to")->check(output_folder());
   verb->callback([options] {
     fmt::print("{}\n", write_new_grasp(options->name, options->directory).string());
   });
@@ -140,7 +141,9 @@ void add_grasp(CLI::App& app) {
   close->callback([options] { run_close(*options); });
   CLI::App* sheet = grasp->add_subcommand("sheet", "Draw closed grasps from several sides");
   add_common(*sheet, *options);
-  sheet->add_option("--out", options->out, "The PNG to write")->required();
+  sheet->add_option("--out", options->out, "The PNG to write")
+      ->required()
+      ->check(output_file({".png"}));
   sheet->add_flag("--plain", options->plain, "Without names and numbers");
   sheet->add_flag("--steps", options->steps, "The five steps of each grasp");
   sheet->callback([options] { run_sheet(*options); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "checks.h"
 #include "graspdb/hand/maker/hand_maker.h"
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/pictures/hand_sheet.h"
@@ -35,13 +36,14 @@ void add_make(CLI::App& verb) {
   CLI::App* make =
       verb.add_subcommand("make", "Make a skinned hand and its rig map from a few measures");
   make->add_option("--out", options->out, "The .glb to write; its rig map goes beside it")
-      ->required();
+      ->required()
+      ->check(output_file({".glb"}));
   make->add_option("--base", options->base, "The default hand to start from")
-      ->check(CLI::IsMember(kDefaultHands));
+      ->check(one_of({kDefaultHands.begin(), kDefaultHands.end()}));
   const auto add = [make](const char* name, std::optional<double>& measure,
-                          const MeasureRange& range, const char* text) {
+                          const MeasureRange& measures, const char* text) {
     make->add_option(name, measure, text)
-        ->check(CLI::Range(range.low, range.high))
+        ->check(range(measures.low, measures.high))
         ->default_str("the base hand's, in proportion");
   };
   WantedMeasures& wanted = options->wanted;
@@ -81,7 +83,9 @@ void add_sheet(CLI::App& verb) {
   sheet->add_option("--rig", options->rig, "Its rig map")->default_str("the one beside it");
   sheet->add_flag("--angles", options->angles,
                   "Instead, what each of the 28 angles moves: at zero and at 20 degrees");
-  sheet->add_option("--out", options->out, "The PNG to write")->required();
+  sheet->add_option("--out", options->out, "The PNG to write")
+      ->required()
+      ->check(output_file({".png"}));
   sheet->callback([options] { run_sheet(*options); });
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "checks.h"
 #include "graspdb/core/error.h"
 #include "graspdb/hand/check/hand_file_check.h"
 #include "graspdb/hand/maker/hand_maker.h"
@@ -107,11 +108,11 @@ void add_hand_check(CLI::App& hand) {
   check->add_option("--rig", options->rig, "Its rig map")->default_str("the one beside it");
   CLI::Option* length =
       check->add_option("--length-mm", options->length_mm, "What it should measure, mm")
-          ->check(CLI::Range(100, 240))
+          ->check(range(100.0, 240.0))
           ->default_str("as made");
   CLI::Option* breadth =
       check->add_option("--breadth-mm", options->breadth_mm, "What it should measure, mm")
-          ->check(CLI::Range(40, 120))
+          ->check(range(40.0, 120.0))
           ->default_str("as made");
   length->needs(breadth);
   breadth->needs(length);

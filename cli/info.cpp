@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "checks.h"
 #include "graspdb/core/json/strict_json.h"
 #include "graspdb/database/database.h"
 #include "graspdb/pictures/row_sheet.h"
@@ -109,9 +110,10 @@ void add_info(CLI::App& app) {
   info->add_flag("--json", options->json, "As JSON");
   CLI::Option* sheet = info->add_option("--sheet", options->sheet,
                                         "Also draw rows, evenly chosen, to this PNG; needs the "
-                                        "hand and grasp files that the database was built from");
+                                        "hand and grasp files that the database was built from")
+                           ->check(output_file({".png"}));
   info->add_option("--rows", options->rows, "How many the sheet shows")
-      ->check(CLI::Range(1, 1000))
+      ->check(range(1, 1000))
       ->needs(sheet);
   info->callback([options] { run_info(*options); });
   add_verify(app);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "help.h"
 #include "verbs.h"
 
 namespace {
@@ -20,13 +21,9 @@ void describe(CLI::App& app) {
   app.name("graspdb");
   app.set_version_flag("--version", "graspdb " GRASPDB_VERSION);
   app.require_subcommand(1);
+  app.formatter(std::make_shared<graspdb::cli::HelpFormatter>());
   app.get_formatter()->column_width(38);
   app.option_defaults()->always_capture_default();
-  app.footer(
-      "Examples:\n"
-      "  graspdb build --objects both --out hands.graspdb\n"
-      "  graspdb track hands.graspdb video.mp4 --video overlay.mp4 --json poses.jsonl\n"
-      "  graspdb VERB --help tells a verb's options");
 }
 
 // Faults are told once, by us.
@@ -69,6 +66,11 @@ int main(int argc, char** argv) {
         cli::add_tune, cli::add_bench, cli::add_grasp, cli::add_hand}) {
     add(app);
   }
+  app.footer(
+      "Examples:\n"
+      "  graspdb build --objects both --out hands.graspdb\n"
+      "  graspdb track hands.graspdb video.mp4 --video overlay.mp4 --json poses.jsonl\n"
+      "  graspdb VERB --help tells a verb's options");
   try {
     app.parse(argc, argv);
     return 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "checks.h"
 #include "graspdb/core/error.h"
 #include "graspdb/pictures/row_sheet.h"
 #include "graspdb/renderer/image_io.h"
@@ -123,12 +124,13 @@ void add_query(CLI::App& app) {
   verb->add_option("IMAGE", options->image, "A picture with a right hand")->required();
   verb->add_option("--mask", options->mask,
                    "A picture of the same size, bright where the hand is [skin colour]");
-  verb->add_option("-k,--neighbours", options->count, "How many rows")->check(CLI::Range(1, 1000));
+  verb->add_option("-k,--neighbours", options->count, "How many rows")->check(range(1, 1000));
   verb->add_option("--search", options->search, "How neighbours are found")
-      ->check(CLI::IsMember(search_names()));
+      ->check(one_of(search_names()));
   verb->add_option("--out", options->out,
                    "Also draw the hand beside its nearest rows to this PNG; needs the hand and "
-                   "grasp files that the database was built from");
+                   "grasp files that the database was built from")
+      ->check(output_file({".png"}));
   verb->add_flag("--json", options->json, "As JSON");
   verb->footer("Example: graspdb query hands.graspdb photo.jpg -k 8 --out near.png");
   verb->callback([options] { run(*options); });

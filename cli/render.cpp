@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "console.h"
+#include "checks.h"
 #include "graspdb/core/error.h"
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/pictures/database_rows.h"
@@ -126,20 +126,26 @@ void run(const RenderArguments& options) {
 
 // The three ways to say what is to be seen; each excludes the options of the others.
 void add_sources(CLI::App& verb, RenderArguments& options) {
-  CLI::App* sources = verb.add_option_group("What is to be seen, one of");
-  CLI::Option* grasp = sources->add_option("--grasp", options.grasp, "A grasp's number")
-                           ->check(CLI::Range(1, 65535));
-  sources->add_option("--pose", options.pose,
-                      "A TOML file with joint angles and a rotation (docs/export.md): no object");
-  CLI::Option* database = sources->add_option("--db", options.database, "The database of --row");
-  sources->require_option(1);
-  verb.add_option("--step", options.step, "How far the hand has closed, 1 to --steps")
+  const char* group = "What is to be seen, one of";
+  CLI::Option* grasp = verb.add_option("--grasp", options.grasp, "A grasp's number")
+                           ->check(range(1, kLargestGrasp))
+                           ->default_str("")
+                           ->group(group);
+  verb.add_option("--pose", options.pose,
+                  "A TOML file with joint angles and a rotation (docs/export.md): no object")
+      ->group(group);
+  CLI::Option* database =
+      verb.add_option("--db", options.database, "The database of --row")->group(group);
+  verb.add_option("--step", options.step, "How far the hand has closed, up to --steps")
+      ->check(range(1, 20))
       ->needs(grasp);
   verb.add_option("--view", options.view, "One of the --views orientations, from 0")
-      ->check(CLI::NonNegativeNumber)
+      ->check(range(0, 99999))
       ->needs(grasp);
   verb.add_flag("--free", options.free, "The hand without the object")->needs(grasp);
-  database->needs(verb.add_option("--row", options.row, "A row of --db, from 0")->needs(database));
+  database->needs(verb.add_option("--row", options.row, "A row of --db, from 0")
+                      ->check(natural())
+                      ->needs(database));
 }
 
 // What a database states itself.
@@ -150,14 +156,13 @@ void add_scene(CLI::App& verb, RenderArguments& options) {
   };
   add("--hand", options.hand, "A rigged hand with its rig map beside it [the male hand]");
   add("--grasps", options.config.grasps, "The folder of grasp files [the project's own]");
-  add("--steps", options.config.steps, "Steps from rest to the closed hand")
-      ->check(CLI::Range(1, 20));
+  add("--steps", options.config.steps, "Steps from rest to the closed hand")->check(range(1, 20));
   add("--views", options.config.views, "Orientations, evenly over all rotations")
-      ->check(CLI::Range(1, 100000));
+      ->check(range(1, 100000));
   add("--distance", options.config.distance, "From the camera to the palm, metres")
-      ->check(CLI::Range(0.2, 5.0));
+      ->check(range(0.2, 5.0));
   add("--forearm", options.visible_forearm_mm, "Visible forearm beyond the wrist, mm")
-      ->check(CLI::Range(0.0, 300.0));
+      ->check(range(0.0, 300.0));
 }
 
 }  // namespace
@@ -169,13 +174,19 @@ void add_render(CLI::App& app) {
   add_scene(*verb, *options);
   verb->add_option("--resolution", options->resolution,
                    "Side of the picture, pixels [128, or the database's]")
-      ->check(CLI::Range(16, 1024));
-  verb->add_option("--out", options->out, "The folder to write to")->required();
+      ->check(range(16, 1024));
+  verb->add_option("--out", options->out, "The folder to write to")
+      ->required()
+      ->check(output_folder());
   verb->footer(
       "Writes shading, label, part, depth, normals, amodal masks, view.json with camera, pose and\n"
       "keypoints, and sheet.png for looking at all of them (docs/export.md).\n"
       "Example: graspdb render --grasp 9 --step 5 --view 100 --resolution 512 --out pinch");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] {
+    if (verb->count("--grasp") + verb->count("--pose") + verb->count("--db") != 1)
+      throw CLI::RequiredError("One of --grasp, --pose and --db");
+    run(*options);
+  });
 }
 
 }  // namespace graspdb::cli

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <numeric>
 #include <string_view>
 
+#include "checks.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/random.h"
+#include "graspdb/grasps/grasp.h"
 
 namespace graspdb::cli {
 namespace {
@@ -72,12 +75,13 @@ void take_sample(std::vector<std::size_t>& rows, std::size_t count, std::uint64_
 void add_row_selection(CLI::App& verb, RowSelection& selection) {
   verb.add_option("--rows", selection.rows, "Rows and ranges of rows from 0, as 0-99,250 [all]");
   verb.add_option("--grasp", selection.grasps, "Of those only the rows of these grasps [all]")
+      ->check(range(1, kLargestGrasp))
       ->delimiter(',')
       ->allow_extra_args(false);
   CLI::Option* sample =
       verb.add_option("--sample", selection.sample, "Of those this many, drawn at random; 0: all")
-          ->check(CLI::NonNegativeNumber);
-  verb.add_option("--seed", selection.seed, "Of the drawing")->needs(sample);
+          ->check(range(0, std::numeric_limits<int>::max()));
+  verb.add_option("--seed", selection.seed, "Of the drawing")->check(natural())->needs(sample);
 }
 
 std::vector<std::size_t> chosen_rows(const Database& database, const RowSelection& selection) {

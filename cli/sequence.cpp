@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "checks.h"
 #include "console.h"
 #include "graspdb/grasps/closing.h"
 #include "verbs.h"
@@ -36,22 +37,24 @@ void add_sequence(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("sequence", "Render an evaluation sequence with ground truth");
   verb->add_option("SEQ", options->file, "The sequence's .toml file")->required();
-  CLI::Option* out = verb->add_option("--out", options->out,
-                                      "The folder for frames, masks, noisy masks and truth");
+  CLI::Option* out =
+      verb->add_option("--out", options->out, "The folder for frames, masks, noisy masks and truth")
+          ->check(output_folder());
   CLI::Option* meshes =
       verb->add_option("--meshes", options->meshes,
-                       "A folder for hand, object and camera of every frame, for other renderers");
+                       "A folder for hand, object and camera of every frame, for other renderers")
+          ->check(output_folder());
   CLI::Option* close =
       verb->add_flag("--close", options->close,
                      "Close the hand on the object anew and keep the pose beside the grasp file");
   verb->add_option("--hand", options->hand, "A rigged hand instead of the sequence's own");
   verb->add_option("--fps", options->fps, "Frames a second instead of the file's")
-      ->check(CLI::Range(kMinFramesPerSecond, kMaxFramesPerSecond))
-      ->check(check_not_nan);
+      ->check(range(kMinFramesPerSecond, kMaxFramesPerSecond));
   verb->add_option("--alpha", options->noise.alpha_percent,
                    "Segmentation noise: dropped hand pixels, percent")
-      ->check(CLI::Range(0.0, 100.0));
-  verb->add_option("--seed", options->noise.seed, "Seed of the segmentation noise");
+      ->check(range(0.0, 100.0));
+  verb->add_option("--seed", options->noise.seed, "Seed of the segmentation noise")
+      ->check(natural());
   verb->footer("Example: graspdb sequence sequences/test/bottle.seq.toml --alpha 0.5 --out bottle");
   verb->callback([options, out, meshes, close] {
     if (out->count() + meshes->count() + close->count() == 0)

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "console.h"
+#include "checks.h"
 #include "graspdb/core/error.h"
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/sequences/photoreal.h"
@@ -115,8 +115,7 @@ void add_sequence_options(CLI::App& verb, SequenceSetOptions& options) {
       "A folder of grasps: the one of a sequence's type, with its object, instead of "
       "the sequence's own; a sequence without a type is left out");
   CLI::Option* fps = verb.add_option("--fps", options.fps, "Frames a second instead of the files'")
-                         ->check(CLI::Range(kMinFramesPerSecond, kMaxFramesPerSecond))
-                         ->check(check_not_nan);
+                         ->check(range(kMinFramesPerSecond, kMaxFramesPerSecond));
   photoreal->excludes(hand)->excludes(grasps)->excludes(fps);  // photographs show what they show
 }
 
@@ -124,8 +123,8 @@ void add_noise_options(CLI::App& verb, NoiseOptions& options) {
   verb.add_option("--alphas", options.alphas, "Segmentation noise, percent, by commas")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::Range(0.0, 100.0));
-  verb.add_option("--seed", options.seed, "Seed of the segmentation noise");
+      ->check(range(0.0, 100.0));
+  verb.add_option("--seed", options.seed, "Seed of the segmentation noise")->check(natural());
 }
 
 }  // namespace graspdb::cli

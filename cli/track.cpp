@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <opencv2/highgui.hpp>
 
+#include "checks.h"
 #include "console.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
@@ -26,17 +26,8 @@ namespace graspdb::cli {
 namespace {
 
 constexpr int kOverlayHeight = 360;
+constexpr const char* kStandardOutput = "-";
 constexpr int kMaxSide = 100000;  // of a picture, pixels
-
-volatile std::sig_atomic_t interrupted = 0;
-
-// The first Ctrl-C ends the loop, so that what was tracked is kept; a second one ends the program.
-void end_loop_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupted = 1; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
-}
 
 struct TrackArguments {
   std::string database, input, masks, json, video;
@@ -82,7 +73,7 @@ class Run {
         database_(Database::open(options.database)),
         reader_(database_, reader_options(options), options.tracker.search) {
     tell_what_is_lacking(database_);
-    if (!options.json.empty()) json_.emplace(options.json);
+    if (!options.json.empty() && options.json != kStandardOutput) json_.emplace(options.json);
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
     if (video_ || options.show) answer_.emplace(database_, options.handedness == "left");
   }
@@ -96,7 +87,7 @@ class Run {
       ++done;
       const std::size_t count = source_->count().value_or(0);
       progress(done, done < count ? count : 0);  // it may have been too low
-      if (stop_ || interrupted) break;
+      if (stop_ || interrupted()) break;
     }
     if (done == 0)
       throw Error({.file = options_.input, .expected = "frames", .found = "none that can be read"});
@@ -106,8 +97,10 @@ class Run {
   void finish() {
     if (json_) json_->commit();
     if (video_) video_->finish();
-    print(statistics_);
-    if (source_->sequence()) print_against_truth();
+    // Answers on standard output stand there alone.
+    std::FILE* const to = options_.json == kStandardOutput ? stderr : stdout;
+    print(statistics_, to);
+    if (source_->sequence()) print_against_truth(to);
   }
 
  private:
@@ -136,9 +129,16 @@ class Run {
     const Estimate estimate = frame.mask ? reader_.read(frame.color, *frame.mask, *camera_)
                                          : reader_.read(frame.color, *camera_);
     statistics_.add(estimate);
-    if (json_) json_->write(estimate_json(frame.index, frame.time, estimate, database_) + "\n");
+    write_json(estimate_json(frame.index, frame.time, estimate, database_) + "\n");
     if (video_ || options_.show) draw(frame, estimate);
     if (source_->sequence()) compare_with_truth(frame, estimate);
+  }
+
+  void write_json(const std::string& line) {
+    if (json_) json_->write(line);
+    if (options_.json != kStandardOutput) return;
+    fmt::print("{}", line);
+    std::fflush(stdout);  // a program at the other end reads along
   }
 
   void draw(const InputFrame& frame, const Estimate& estimate) {
@@ -183,11 +183,11 @@ class Run {
     return graspdb::target_of(truth, source_->sequence()->camera, std::nullopt);
   }
 
-  void print_against_truth() const {
+  void print_against_truth(std::FILE* to) const {
     std::vector<Target> targets;
     for (const FrameTruth& truth : source_->sequence()->truth) targets.push_back(target_of(truth));
     const Baselines base = baselines(PoseGrid(database_), targets, 0);
-    fmt::print("{}", error_table({{options_.tracker.temporal, summarize(errors_)}}, base));
+    fmt::print(to, "{}", error_table({{options_.tracker.temporal, summarize(errors_)}}, base));
   }
 
   const TrackArguments& options_;
@@ -203,15 +203,10 @@ class Run {
   bool stop_ = false;
 };
 
-// Checks of CLI11: an empty answer says that all is well.
+// A check of CLI11: an empty answer says that all is well.
 std::string check_input(const std::string& input) {
   const bool well = !input.starts_with(kCameraPrefix) || camera_number(input);
   return well ? "" : fmt::format("{}: a camera is camera:N, N = 0, 1 ...", input);
-}
-
-std::string check_video(const std::string& file) {
-  const bool well = std::filesystem::path(file).extension() == ".mp4";
-  return well ? "" : fmt::format("{}: only .mp4 is written", file);
 }
 
 void check_together(const TrackArguments& options) {
@@ -236,28 +231,29 @@ void add_track(CLI::App& app) {
       "A folder of hand masks, named as the frames [skin segmentation; a sequence's noisy/]");
   add_tracker_options(*verb, options->tracker);
   verb->add_option("--focal", options->focal_px, "Focal length, pixels [0.87 of the longer side]")
-      ->check(CLI::Range(50.0, 20000.0));
+      ->check(range(50.0, 20000.0));
   verb->add_option("--roi", options->roi,
                    "Only skin regions that touch this box: x,y,w,h in pixels")
       ->delimiter(',')
       ->expected(4)
-      ->check(CLI::Range(-kMaxSide, kMaxSide));
+      ->check(range(-kMaxSide, kMaxSide));
   verb->add_option("--skin", options->skin.rule,
                    "redness: redder than the frame's own threshold; box: the paper's box in HSV")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, SkinRule>{
-          {"redness", SkinRule::kRedness}, {"box", SkinRule::kBox}}))
+      ->transform(named<SkinRule>({{"redness", SkinRule::kRedness}, {"box", SkinRule::kBox}}))
       ->default_str("redness");
   verb->add_option("--handedness", options->handedness, "The hand that is seen")
-      ->check(CLI::IsMember({"right", "left"}));
-  verb->add_option("--json", options->json, "Write one JSON object a frame to this file");
+      ->check(one_of({"right", "left"}));
+  verb->add_option("--json", options->json,
+                   "Write one JSON object per frame to this file; -: to standard output")
+      ->check(output_file_or_dash());
   verb->add_option("--video", options->video,
                    "Write frame, mask, HOG and estimate side by side to this .mp4")
-      ->check(check_video);
+      ->check(output_file({".mp4"}));
   verb->add_flag("--show", options->show, "Show the same in a window; q ends");
   verb->footer("Example: graspdb track hands.graspdb video.mp4 --focal 900 --video overlay.mp4");
   verb->callback([options] {
     check_together(*options);
-    end_loop_on_signals();
+    stop_on_interrupt();
     Run run(*options);
     run.all_frames();
     run.finish();

@@ -8,9 +8,9 @@
 namespace graspdb::cli {
 namespace {
 
-void print_stage(const char* name, const std::vector<double>& ms) {
+void print_stage(std::FILE* to, const char* name, const std::vector<double>& ms) {
   const Spread s = spread(ms);
-  fmt::print("  {:9} median {:7.3f} ms   p90 {:7.3f} ms\n", name, s.median, s.p90);
+  fmt::print(to, "  {:9} median {:7.3f} ms   p90 {:7.3f} ms\n", name, s.median, s.p90);
 }
 
 }  // namespace
@@ -25,13 +25,14 @@ void TrackStatistics::add(const Estimate& estimate) {
   total.push_back(estimate.ms.total);
 }
 
-void print(const TrackStatistics& statistics) {
-  fmt::print("{} frames, {} with a hand; time a frame:\n", statistics.frames, statistics.valid);
-  print_stage("segment", statistics.segment);
-  print_stage("describe", statistics.describe);
-  print_stage("search", statistics.search);
-  print_stage("temporal", statistics.temporal);
-  print_stage("total", statistics.total);
+void print(const TrackStatistics& statistics, std::FILE* to) {
+  fmt::print(to, "{} frames, {} with a hand; time per frame:\n", statistics.frames,
+             statistics.valid);
+  print_stage(to, "segment", statistics.segment);
+  print_stage(to, "describe", statistics.describe);
+  print_stage(to, "search", statistics.search);
+  print_stage(to, "temporal", statistics.temporal);
+  print_stage(to, "total", statistics.total);
 }
 
 }  // namespace graspdb::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdio>
 #include <vector>
 
 #include "graspdb/tracker/tracker.h"
@@ -14,6 +15,6 @@ struct TrackStatistics {
 
   void add(const Estimate& estimate);
 };
-void print(const TrackStatistics& statistics);
+void print(const TrackStatistics& statistics, std::FILE* to);
 
 }  // namespace graspdb::cli

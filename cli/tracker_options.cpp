@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "checks.h"
 #include "graspdb/database/search.h"
 
 namespace graspdb::cli {
@@ -33,7 +34,7 @@ void add_number(CLI::App& verb, const TrackerNumber& number, Value TrackerOption
                 std::optional<double>& given) {
   const auto keep = [&given](const Value& value) { given = value; };
   verb.add_option_function<Value>(number.names, keep, number.help)
-      ->check(CLI::Range(static_cast<Value>(number.low), static_cast<Value>(number.high)))
+      ->check(range(static_cast<Value>(number.low), static_cast<Value>(number.high)))
       ->default_str(tuned_default(member));
 }
 
@@ -49,9 +50,9 @@ TrackerOptions TrackerSettings::options(TemporalModel model) const {
 
 void add_tracker_options(CLI::App& verb, TrackerSettings& settings) {
   verb.add_option("--temporal", settings.temporal, "How a frame depends on the one before")
-      ->check(CLI::IsMember(temporal_names()));
+      ->check(one_of(temporal_names()));
   verb.add_option("--search", settings.search, "How neighbours are found")
-      ->check(CLI::IsMember(search_names()));
+      ->check(one_of(search_names()));
   for (std::size_t i = 0; i < kTrackerNumbers.size(); ++i) {
     const TrackerNumber& number = kTrackerNumbers[i];
     std::visit([&](auto member) { add_number(verb, number, member, settings.numbers[i]); },

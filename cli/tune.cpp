@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "checks.h"
 #include "console.h"
 #include "graspdb/core/error.h"
 #include "graspdb/evaluation/eval_files.h"
@@ -125,7 +126,7 @@ void add_tune(CLI::App& app) {
       ->required();
   add_noise_options(*verb, options->noise);
   verb->add_option("--search", options->search, "How neighbours are found")
-      ->check(CLI::IsMember(search_names()));
+      ->check(one_of(search_names()));
   verb->callback([options] { run(*options); });
 }
 

@@ -94,6 +94,15 @@ class Track : public ::testing::Test {
 };
 std::unique_ptr<testing::TemporaryDirectory> Track::shared_;
 
+TEST_F(Track, AnswersOnStandardOutputStandThereAlone) {
+  write_frame(directory_.path(), "f1", {160, 90}, {160, 90});
+  const Outcome outcome = track(frames_with_masks() + " --json -");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(lines_of(outcome.out), 1) << outcome.out;
+  EXPECT_EQ(json::parse(outcome.out).at("frame"), 0);
+  EXPECT_THAT(outcome.err, HasSubstr("1 frames, 1 with a hand"));
+}
+
 TEST_F(Track, WritesALineAFrameAndAVideo) {
   for (const char* name : {"f1", "f2", "f10"})  // the last would come second by letters
     write_frame(directory_.path(), name, {name == std::string("f10") ? 120 : 160, 90},

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Wrong use is told on stderr with exit code 2; what is asked for goes to stdout with 0.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <regex>
+
+#include "graspdb/core/file.h"
 #include "program.h"
+#include "support/temporary_directory.h"
 
 namespace graspdb {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using testing::Outcome;
 using testing::run_program;
 
@@ -42,6 +49,75 @@ TEST(WrongUse, ValuesOutOfRangeAreRefused) {
   expect_wrong_use("track db in --roi 1,2,3,-4", "--roi");
   expect_wrong_use("track db in --roi 1,2,3,4000000000", "--roi");
   expect_wrong_use("track db in --video overlay.avi", ".mp4");
+}
+
+const std::vector<std::string> kVerbs = {
+    "build",     "merge",      "info",      "verify",      "diff",        "query",
+    "render",    "export",     "track",     "sequence",    "eval",        "tune",
+    "bench",     "grasp list", "grasp new", "grasp close", "grasp check", "grasp sheet",
+    "hand make", "hand check", "hand sheet"};
+
+// "--steps" of "  --steps N    Steps ..." for each option whose value is written so.
+std::vector<std::string> options_with(const std::string& value, const std::string& help) {
+  std::vector<std::string> options;
+  const std::regex line("(--[a-z-]+) " + value + "[ ,\n]");
+  for (std::sregex_iterator match(help.begin(), help.end(), line), end; match != end; ++match)
+    options.push_back((*match)[1]);
+  return options;
+}
+
+TEST(WrongUse, HelpIsWrittenInWords) {
+  for (const std::string& verb : kVerbs) {
+    const Outcome help = run_program(verb + " --help");
+    EXPECT_EQ(help.code, 0) << verb;
+    for (const char* raw : {":INT", ":FLOAT", ":value", " in [", "->", "=[", "ENUM", "REQUIRED",
+                            "Option Group", "[]", "{", "2147483647"}) {
+      EXPECT_THAT(help.out, Not(HasSubstr(raw))) << verb;
+    }
+  }
+  EXPECT_THAT(run_program("build --help").out,
+              ContainsRegex("--steps N +Steps from rest to the closed hand .1 to 20. .5."));
+}
+
+TEST(WrongUse, NoOptionTakesWhatIsNoNumber) {
+  std::size_t numbers = 0, whole_numbers = 0;
+  for (const std::string& verb : kVerbs) {
+    const std::string help = run_program(verb + " --help").out;
+    for (const std::string& option : options_with("X", help)) {
+      ++numbers;
+      expect_wrong_use(fmt::format("{} {} nan", verb, option), option);
+    }
+    for (const std::string& option : options_with("N", help)) {
+      ++whole_numbers;
+      expect_wrong_use(fmt::format("{} {} -999999", verb, option), option);
+    }
+  }
+  EXPECT_GT(numbers, 20u);
+  EXPECT_GT(whole_numbers, 20u);
+}
+
+TEST(WrongUse, APlaceThatCannotBeWrittenIsToldBeforeTheWork) {
+  const testing::TemporaryDirectory directory;
+  const std::string folder = directory.path().string(), file = (directory / "file").string();
+  write_text(file, "mine");
+  for (const char* command :
+       {"build --out", "grasp sheet --out", "hand make --out", "track d v --json",
+        "track d v --video", "query d i --out", "info d --sheet"}) {
+    expect_wrong_use(fmt::format("{} {}", command, folder), "expected a file");
+    expect_wrong_use(fmt::format("{} {}/inside.png", command, file), "");
+  }
+  for (const char* command :
+       {"export d --out", "render --grasp 9 --out", "sequence s --out", "sequence s --meshes",
+        "eval d --sequences s --out", "grasp new n --out"}) {
+    expect_wrong_use(fmt::format("{} {}", command, file), "is no folder");
+  }
+  EXPECT_EQ(read_text(file), "mine");
+}
+
+TEST(WrongUse, AFormatThatIsNotWrittenIsRefused) {
+  expect_wrong_use("hand make --out h.obj", ".glb");
+  expect_wrong_use("hand sheet h.glb --out s.jpg", ".png");
+  expect_wrong_use("info d --sheet s.tif", ".png");
 }
 
 TEST(WrongUse, APresetIsOneOfThoseThatThereAre) {
