@@ -39,7 +39,8 @@ std::string unlike(const std::string& text, const std::string& expected) {
 }
 
 template <typename Number>
-CLI::Validator in_range(const std::string& kind, Number low, Number high, const std::string& words) {
+CLI::Validator in_range(const std::string& kind, Number low, Number high,
+                        const std::string& words) {
   const auto check = [=](std::string& text) -> std::string {
     const std::optional<Number> number = number_of<Number>(text);
     const bool is_whole = std::numeric_limits<Number>::is_integer;

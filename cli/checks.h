@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the text of an option may be. Each check says it in --help, in words. CLI11's own ones let NaN
-// into every range, take -1 for a large whole number and 010 for 8, and name internal numbers.
+// What the text of an option may be. Each check says it in --help, in words. CLI11's own ones let
+// NaN into every range, take -1 for a large whole number and 010 for 8, and name internal numbers.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -32,7 +32,7 @@ std::string aside_start(const fs::path& path) {
 // replaced: the one that is renamed would take the place of a device, too.
 fs::path place_of(const fs::path& path) {
   std::error_code unknown;  // open() reports what matters
-  const fs::path place = fs::is_symlink(path, unknown) ? fs::weakly_canonical(path, unknown) : path;
+  fs::path place = fs::is_symlink(path, unknown) ? fs::weakly_canonical(path, unknown) : path;
   const fs::file_status status = fs::status(place, unknown);
   if (!fs::exists(status) || fs::is_regular_file(status)) return place;
   throw Error({.file = path.string(),

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the format, installs what is missing, builds, and runs every test: Release first, then again
-# with the address and undefined-behaviour sanitizers. At the end each reader of files is fuzzed for
-# some seconds.
+# with the address and undefined-behaviour sanitizers. At the end clang-tidy reads the rooms where it
+# is quick, and each reader of files is fuzzed for some seconds.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -16,4 +16,5 @@ for preset in release asan; do
     cmake --build --preset "$preset" --target all all_verify_interface_header_sets
     ctest --preset "$preset" -j "$(nproc)"
 done
+scripts/lint.sh core features tracker
 scripts/fuzz.sh 5

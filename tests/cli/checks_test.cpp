@@ -18,7 +18,8 @@ std::string told(const CLI::Validator& check, std::string text) {
 
 TEST(Checks, ARangeHoldsNumbersOnly) {
   const CLI::Validator check = range(0.5, 20.0);
-  for (const char* good : {"0.5", "20", "+3", "1e1", ".7"}) EXPECT_THAT(told(check, good), IsEmpty());
+  for (const char* good : {"0.5", "20", "+3", "1e1", ".7"})
+    EXPECT_THAT(told(check, good), IsEmpty());
   for (const char* bad :
        {"nan", "-nan", "NAN", "inf", "0.4", "20.1", "", " 1", "1 ", "1x", "0x10", "1e999", "1,5"}) {
     EXPECT_THAT(told(check, bad), HasSubstr("expected a number, 0.5 to 20")) << bad;
@@ -28,8 +29,8 @@ TEST(Checks, ARangeHoldsNumbersOnly) {
 TEST(Checks, AWholeNumberIsReadAsItIsWritten) {
   const CLI::Validator check = range(-5, 20);
   for (const char* good : {"0", "-5", "20", "+3"}) EXPECT_THAT(told(check, good), IsEmpty());
-  for (const char* bad : {"010", "-05", "0x10", "1.5", "1e1", "nan", "", "21", "-6",
-                          "99999999999999999999999"}) {
+  for (const char* bad :
+       {"010", "-05", "0x10", "1.5", "1e1", "nan", "", "21", "-6", "99999999999999999999999"}) {
     EXPECT_THAT(told(check, bad), HasSubstr("a whole number, -5 to 20")) << bad;
   }
   EXPECT_EQ(range(1, std::numeric_limits<int>::max()).get_description(), "1 or more");
