@@ -115,7 +115,6 @@ CLI::Validator output_file(const std::vector<std::string>& extensions) {
   const auto check = [=](std::string& text) -> std::string {
     std::error_code unknown;
     const fs::file_status status = fs::status(text, unknown);
-    if (text.empty()) return "expected the name of a file";
     if (fs::exists(status) && !fs::is_regular_file(status)) return unlike(text, "a file to write");
     if (!has_extension(text, extensions))
       return unlike(text, fmt::format("a name that ends with {}", fmt::join(extensions, " or ")));
@@ -130,10 +129,17 @@ CLI::Validator output_file_or_dash() {
   return CLI::Validator([=](std::string& text) { return text == "-" ? "" : file(text); }, "FILE");
 }
 
+void refuse_empty_texts(CLI::App& app) {
+  const CLI::Validator check([](std::string& text) { return text.empty() ? "empty" : ""; }, "");
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_type_name().starts_with("TEXT")) option->transform(check);  // comes first
+  }
+  for (CLI::App* verb : app.get_subcommands({})) refuse_empty_texts(*verb);
+}
+
 CLI::Validator output_folder() {
   const auto check = [](std::string& text) -> std::string {
     std::error_code unknown;
-    if (text.empty()) return "expected the name of a folder";
     const bool is_there = fs::exists(text, unknown);
     const std::string why = why_not_in(is_there ? fs::path(text) : folder_above(text));
     return why.empty() ? "" : fmt::format("{} cannot be written: {}", text, why);

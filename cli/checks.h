@@ -31,4 +31,8 @@ CLI::Validator output_file(const std::vector<std::string>& extensions = {});
 CLI::Validator output_file_or_dash();  // -: standard output
 CLI::Validator output_folder();
 
+// No text option of any verb takes an empty text: scripts make one of a variable that is not set,
+// and it would count as not given.
+void refuse_empty_texts(CLI::App& app);
+
 }  // namespace graspdb::cli

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "checks.h"
 #include "help.h"
 #include "verbs.h"
 
@@ -66,6 +67,7 @@ int main(int argc, char** argv) {
         cli::add_tune, cli::add_bench, cli::add_grasp, cli::add_hand}) {
     add(app);
   }
+  cli::refuse_empty_texts(app);
   app.footer(
       "Examples:\n"
       "  graspdb build --objects both --out hands.graspdb\n"

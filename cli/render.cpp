@@ -184,7 +184,7 @@ void add_render(CLI::App& app) {
       "Example: graspdb render --grasp 9 --step 5 --view 100 --resolution 512 --out pinch");
   verb->callback([options, verb] {
     if (verb->count("--grasp") + verb->count("--pose") + verb->count("--db") != 1)
-      throw CLI::RequiredError("One of --grasp, --pose and --db");
+      throw CLI::RequiredError("Exactly one of --grasp, --pose and --db");
     run(*options);
   });
 }

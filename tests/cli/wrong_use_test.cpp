@@ -96,6 +96,14 @@ TEST(WrongUse, NoOptionTakesWhatIsNoNumber) {
   EXPECT_GT(whole_numbers, 20u);
 }
 
+TEST(WrongUse, AnEmptyTextIsNotTakenForNone) {
+  for (const char* command :
+       {"build --out x --config", "build --out x --hand", "build --out x --grasps",
+        "build --out x --preset", "build --out", "hand sheet", "track", "eval d --sequences"}) {
+    expect_wrong_use(std::string(command) + " ''", "empty");
+  }
+}
+
 TEST(WrongUse, APlaceThatCannotBeWrittenIsToldBeforeTheWork) {
   const testing::TemporaryDirectory directory;
   const std::string folder = directory.path().string(), file = (directory / "file").string();
