@@ -10,6 +10,6 @@ scripts/install.sh
 scripts/install.sh clang-tidy-14 # of no use to anything else
 cmake --preset dev >/dev/null # file by file, as clang-tidy wants it
 
-# The fuzzers are no part of that build.
-git ls-files -- "${@:-.}" ':!tests/fuzz' | grep '\.cpp$' |
+# Fuzzers and examples are no part of that build.
+git ls-files -- "${@:-.}" ':!tests/fuzz' ':!examples' | grep '\.cpp$' |
     xargs -P "$(nproc)" -n 1 clang-tidy-14 --quiet -p build/dev 2> >(grep -v 'warnings generated\.$' >&2)
