@@ -6,12 +6,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/core/pixel_layout.h"
 
 namespace graspdb {
 
@@ -49,9 +53,15 @@ OIIO::ImageSpec exr_spec(OIIO::ImageSpec spec) {
 
 constexpr std::uint64_t kLargestPicture = 256 << 20;  // bytes, decoded
 
+// As the file stores it, grey or colour with or without alpha.
+template <typename Sample>
 struct Decoded {
-  int width, height, channels;
-  std::vector<std::uint8_t> samples;
+  OIIO::ImageSpec spec;
+  std::vector<Sample> samples;
+  PixelLayout layout;
+
+  std::size_t channels() const { return static_cast<std::size_t>(spec.nchannels); }
+  const Sample* at(std::size_t pixel) const { return samples.data() + pixel * channels(); }
 };
 
 // A file of a few bytes can say that it has any size.
@@ -64,34 +74,73 @@ void check_size(const OIIO::ImageSpec& spec, const fs::path& path) {
                                     spec.nchannels)});
 }
 
-Decoded read_image(const fs::path& path) {
-  OIIO::ImageSpec config;
-  config["oiio:UnassociatedAlpha"] = 1;  // colours as they are stored
-  const auto input = OIIO::ImageInput::open(path.string(), &config);
-  if (!input) {
-    throw Error({.file = path.string(), .expected = "a picture", .found = OIIO::geterror()});
-  }
-  const OIIO::ImageSpec& spec = input->spec();
-  check_size(spec, path);
-  Decoded decoded{spec.width, spec.height, spec.nchannels, {}};
-  decoded.samples.resize(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, decoded.samples.data())) {
-    throw Error({.file = path.string(), .expected = "a picture", .found = input->geterror()});
-  }
+PixelLayout layout_of(const OIIO::ImageSpec& spec, const fs::path& path) {
+  return checked_layout(spec.get_int_attribute("Orientation", 1),
+                        spec.get_float_attribute("PixelAspectRatio", 1), path.string());
+}
+
+[[noreturn]] void fail_to_read(const fs::path& path, std::string found) {
+  throw Error({.file = path.string(),
+               .expected = "a whole picture",
+               .found = found.empty() ? "a damaged one" : std::move(found)});
+}
+
+// Samples are scaled to the type's range; colours are multiplied with alpha.
+template <typename Sample>
+Decoded<Sample> read_image(const fs::path& path) {
+  const auto input = OIIO::ImageInput::open(path.string());
+  if (!input) fail_to_read(path, OIIO::geterror());
+  check_size(input->spec(), path);
+  Decoded<Sample> decoded{input->spec(), {}, layout_of(input->spec(), path)};
+  decoded.samples.resize(decoded.spec.image_pixels() * decoded.channels());
+  const bool read = input->read_image(0, 0, 0, decoded.spec.nchannels,
+                                      OIIO::BaseTypeFromC<Sample>::value, decoded.samples.data());
+  // Of a JPEG that ends early the rest is grey, and the read has succeeded.
+  if (!read || input->has_error()) fail_to_read(path, input->geterror());
   return decoded;
 }
 
 // One or two channels are grey (and alpha), more are red, green, blue (and alpha).
-Bgr bgr_at(const Decoded& decoded, std::size_t pixel) {
-  const auto channels = static_cast<std::size_t>(decoded.channels);
-  const std::uint8_t* sample = decoded.samples.data() + pixel * channels;
-  if (channels < 3) return {sample[0], sample[0], sample[0]};
+template <typename Sample>
+std::array<Sample, 3> bgr_at(const Decoded<Sample>& decoded, std::size_t pixel) {
+  const Sample* sample = decoded.at(pixel);
+  if (decoded.channels() < 3) return {sample[0], sample[0], sample[0]};
   return {sample[2], sample[1], sample[0]};
 }
 
 // Rec. 601 luma, as OpenCV computes grey.
-std::uint8_t luma(const Bgr& bgr) {
-  return static_cast<std::uint8_t>(std::lround(0.114 * bgr[0] + 0.587 * bgr[1] + 0.299 * bgr[2]));
+template <typename Sample>
+Sample luma(const std::array<Sample, 3>& bgr) {
+  return static_cast<Sample>(std::lround(0.114 * bgr[0] + 0.587 * bgr[1] + 0.299 * bgr[2]));
+}
+
+ColorImage color_of(const Decoded<std::uint8_t>& decoded) {
+  ColorImage image(decoded.spec.width, decoded.spec.height);
+  for (std::size_t i = 0; i < image.size(); ++i) image.data()[i] = bgr_at(decoded, i);
+  return as_shown(std::move(image), decoded.layout);
+}
+
+template <typename Sample>
+Image<std::uint16_t> levels_of(const Decoded<Sample>& decoded) {
+  Image<std::uint16_t> levels(decoded.spec.width, decoded.spec.height);
+  for (std::size_t i = 0; i < levels.size(); ++i) levels.data()[i] = luma(bgr_at(decoded, i));
+  return as_shown(std::move(levels), decoded.layout);
+}
+
+template <typename Sample>
+bool is_transparent(const Decoded<Sample>& decoded) {
+  const int alpha = decoded.spec.alpha_channel;
+  if (alpha < 0) return false;
+  for (std::size_t i = 0; i < decoded.spec.image_pixels(); ++i) {
+    if (decoded.at(i)[alpha] != std::numeric_limits<Sample>::max()) return true;
+  }
+  return false;
+}
+
+bool has_more_than_8_bits(const fs::path& path) {
+  const auto input = OIIO::ImageInput::open(path.string());
+  if (!input) fail_to_read(path, OIIO::geterror());
+  return input->spec().format.size() > 1;
 }
 
 }  // namespace
@@ -121,18 +170,34 @@ void write_exr(const fs::path& path, const Image<Eigen::Vector3f>& image) {
   write_image(path, "openexr", exr_spec(spec_of(image, 3, OIIO::TypeDesc::FLOAT)), image.data());
 }
 
-GrayImage read_gray(const fs::path& path) {
-  const Decoded decoded = read_image(path);
-  GrayImage image(decoded.width, decoded.height);
-  for (std::size_t i = 0; i < image.size(); ++i) image.data()[i] = luma(bgr_at(decoded, i));
-  return image;
+Picture read_picture(const fs::path& path) {
+  const auto decoded = read_image<std::uint8_t>(path);
+  Picture picture{
+      color_of(decoded),
+      notes_on(decoded.layout, fmt::format("EXIF orientation {}", decoded.layout.orientation))};
+  if (is_transparent(decoded)) picture.notes.push_back("laid on black where it is transparent");
+  return picture;
 }
 
 ColorImage read_color(const fs::path& path) {
-  const Decoded decoded = read_image(path);
-  ColorImage image(decoded.width, decoded.height);
-  for (std::size_t i = 0; i < image.size(); ++i) image.data()[i] = bgr_at(decoded, i);
+  return color_of(read_image<std::uint8_t>(path));
+}
+
+GrayImage read_gray(const fs::path& path) {
+  const auto levels = levels_of(read_image<std::uint8_t>(path));
+  GrayImage image(levels.width(), levels.height());
+  std::transform(levels.begin(), levels.end(), image.begin(),
+                 [](std::uint16_t level) { return static_cast<std::uint8_t>(level); });
   return image;
+}
+
+Levels read_levels(const fs::path& path) {
+  if (has_more_than_8_bits(path)) {
+    const auto decoded = read_image<std::uint16_t>(path);
+    return {levels_of(decoded), 65535, is_transparent(decoded)};
+  }
+  const auto decoded = read_image<std::uint8_t>(path);
+  return {levels_of(decoded), 255, is_transparent(decoded)};
 }
 
 }  // namespace graspdb

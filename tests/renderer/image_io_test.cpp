@@ -2,8 +2,12 @@
 #include "graspdb/renderer/image_io.h"
 
 #include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <array>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
@@ -132,14 +136,119 @@ TEST(ImageIo, ErrorsNameTheFile) {
   EXPECT_THROW(write_png("/proc/no/such/folder/a.png", GrayImage(2, 2)), Error);
 }
 
-TEST(ImageIo, CameraRotationInExifIsNotApplied) {
+// Red, green over blue, white: what is stored when a viewer is to turn it by `orientation`.
+void write_stored(const fs::path& file, int orientation, float aspect = 1) {
+  OIIO::ImageSpec spec(32, 16, 3, OIIO::TypeDesc::UINT8);
+  spec["Orientation"] = orientation;
+  spec["PixelAspectRatio"] = aspect;
+  spec["XResolution"] = 72.0F;
+  spec["YResolution"] = 72.0F * aspect;
+  spec["ResolutionUnit"] = "in";
+  OIIO::ImageBuf image(spec);
+  const float quarters[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 32; ++x) image.setpixel(x, y, quarters[2 * (y / 8) + x / 16]);
+  }
+  ASSERT_TRUE(image.write(file.string())) << image.geterror();
+}
+
+// r, g, b and w of the corners: upper left, upper right, lower left, lower right.
+std::string corners_of(const ColorImage& image) {
+  std::string corners;
+  for (const int y : {2, image.height() - 3}) {
+    for (const int x : {2, image.width() - 3}) {
+      const Bgr& pixel = image.at(x, y);
+      const bool blue = pixel[0] > 127, green = pixel[1] > 127;
+      corners += blue && green ? 'w' : blue ? 'b' : green ? 'g' : 'r';
+    }
+  }
+  return corners;
+}
+
+TEST(ImageIo, EveryExifOrientationIsApplied) {
   const TemporaryDirectory folder;
-  OIIO::ImageSpec spec(24, 16, 3, OIIO::TypeDesc::UINT8);
-  spec["Orientation"] = 6;
-  OIIO::ImageBuf(spec).write((folder / "turned.jpg").string());
-  const ColorImage image = read_color(folder / "turned.jpg");
-  EXPECT_EQ(image.width(), 24);
-  EXPECT_EQ(image.height(), 16);
+  const std::array<const char*, 8> expected = {"rgbw", "grwb", "wbgr", "bwrg",
+                                               "rbgw", "brwg", "wgbr", "gwrb"};
+  for (int orientation = 1; orientation <= 8; ++orientation) {
+    for (const char* ending : {".jpg", ".tif"}) {
+      const fs::path file = folder / fmt::format("a{}{}", orientation, ending);
+      write_stored(file, orientation);
+      const Picture picture = read_picture(file);
+      EXPECT_EQ(corners_of(picture.color), expected.at(orientation - 1)) << file;
+      EXPECT_EQ(picture.color.width(), orientation < 5 ? 32 : 16) << file;
+      EXPECT_EQ(picture.notes.size(), orientation == 1 ? 0 : 1) << file;
+      EXPECT_EQ(read_gray(file).width(), picture.color.width()) << file;
+      EXPECT_EQ(read_levels(file).gray.width(), picture.color.width()) << file;
+    }
+  }
+}
+
+TEST(ImageIo, PixelsAreMadeSquare) {
+  const TemporaryDirectory folder;
+  for (const char* name : {"a.png", "a.jpg", "a.tif"}) {
+    write_stored(folder / name, 1, 2);
+    const Picture wide = read_picture(folder / name);
+    EXPECT_EQ(wide.color.width(), 64) << name;
+    EXPECT_EQ(wide.color.height(), 16) << name;
+    EXPECT_EQ(corners_of(wide.color), "rgbw") << name;
+    EXPECT_THAT(wide.notes, ::testing::ElementsAre(HasSubstr("square pixels"))) << name;
+    write_stored(folder / name, 1, 0.5F);
+    EXPECT_EQ(read_color(folder / name).height(), 32) << name;
+  }
+  write_stored(folder / "long.png", 1, 40);
+  EXPECT_THROW(read_color(folder / "long.png"), Error);
+}
+
+TEST(ImageIo, AJpegThatEndsEarlyIsRefused) {
+  const TemporaryDirectory folder;
+  for (const int progressive : {0, 1}) {
+    OIIO::ImageBuf image(OIIO::ImageSpec(64, 64, 3, OIIO::TypeDesc::UINT8));
+    OIIO::ImageBufAlgo::noise(image, "uniform", 0, 1);
+    image.specmod()["jpeg:progressive"] = progressive;
+    image.write((folder / "whole.jpg").string());
+    EXPECT_EQ(read_color(folder / "whole.jpg").width(), 64);
+    const std::string whole = read_text(folder / "whole.jpg");
+    for (const std::size_t percent : {30, 50, 80, 99}) {
+      write_text(folder / "half.jpg", whole.substr(0, whole.size() * percent / 100));
+      EXPECT_THROW(read_color(folder / "half.jpg"), Error) << percent;
+      EXPECT_THROW(read_levels(folder / "half.jpg"), Error) << percent;
+    }
+  }
+}
+
+TEST(ImageIo, WhatIsTransparentIsBlackAndSaid) {
+  const TemporaryDirectory folder;
+  OIIO::ImageBuf image(OIIO::ImageSpec(2, 1, 4, OIIO::TypeDesc::UINT8));
+  image.specmod()["oiio:UnassociatedAlpha"] = 1;
+  image.setpixel(0, 0, {1.0F, 0.5F, 0.25F, 1.0F});
+  image.setpixel(1, 0, {0, 0, 0, 0});
+  image.write((folder / "a.png").string());
+  Picture picture = read_picture(folder / "a.png");
+  EXPECT_EQ(picture.color.at(0, 0), (Bgr{64, 128, 255}));
+  EXPECT_EQ(picture.color.at(1, 0), (Bgr{0, 0, 0}));
+  EXPECT_THAT(picture.notes, ::testing::ElementsAre(HasSubstr("transparent")));
+  image.setpixel(1, 0, {0, 0, 0, 1.0F});
+  image.write((folder / "opaque.png").string());
+  EXPECT_TRUE(read_picture(folder / "opaque.png").notes.empty());
+}
+
+TEST(ImageIo, LevelsAreThoseOfTheFile) {
+  const TemporaryDirectory folder;
+  GrayImage labels(3, 1);
+  labels.at(1, 0) = 1;
+  labels.at(2, 0) = 2;
+  write_png(folder / "a.png", labels);
+  Image<std::uint16_t> deep(3, 1);
+  deep.at(1, 0) = 1;
+  deep.at(2, 0) = 65535;
+  write_png16(folder / "deep.png", deep);
+  const Levels levels = read_levels(folder / "a.png"),
+               deep_levels = read_levels(folder / "deep.png");
+  EXPECT_TRUE(std::equal(labels.begin(), labels.end(), levels.gray.begin()));
+  EXPECT_EQ(levels.white, 255);
+  EXPECT_EQ(deep_levels.gray, deep);
+  EXPECT_EQ(deep_levels.white, 65535);
+  EXPECT_EQ(read_color(folder / "deep.png").at(2, 0), (Bgr{255, 255, 255}));
 }
 
 // The header of a PNG of 32768 pixels a side, and nothing behind it.

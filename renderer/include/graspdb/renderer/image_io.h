@@ -4,7 +4,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "graspdb/core/image.h"
 
@@ -16,7 +19,23 @@ void write_png16(const std::filesystem::path& path, const Image<std::uint16_t>& 
 void write_exr(const std::filesystem::path& path, const Image<float>& image);  // one channel, "Z"
 void write_exr(const std::filesystem::path& path,
                const Image<Eigen::Vector3f>& image);  // x, y, z as channels "R", "G", "B"
+
+// What follows reads a picture as a viewer shows it: upright by its EXIF orientation, of square
+// pixels, on black where it is transparent. A picture that ends early is an Error.
+struct Picture {
+  ColorImage color;
+  std::vector<std::string> notes;  // what was done to it, a sentence each
+};
+Picture read_picture(const std::filesystem::path& path);
+ColorImage read_color(const std::filesystem::path& path);
 GrayImage read_gray(const std::filesystem::path& path);
-ColorImage read_color(const std::filesystem::path& path);  // to BGR; EXIF rotation is not applied
+
+// Grey as the file counts it, so that labels stay what they are.
+struct Levels {
+  Image<std::uint16_t> gray;
+  int white = 255;           // the highest level that the file could have: 255 or 65535
+  bool transparent = false;  // somewhere; there it is black
+};
+Levels read_levels(const std::filesystem::path& path);
 
 }  // namespace graspdb
