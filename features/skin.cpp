@@ -116,6 +116,15 @@ Mask segment_skin(const ColorImage& frame, const SkinOptions& options) {
   return mask;
 }
 
+bool has_color(const ColorImage& frame) {
+  constexpr int kFaint = 10;  // what compression leaves in a grey picture
+  const auto colored = std::count_if(frame.begin(), frame.end(), [](const Bgr& pixel) {
+    const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});
+    return most - least > kFaint;
+  });
+  return static_cast<std::size_t>(colored) * 1000 > frame.size();
+}
+
 GrayImage to_gray(const ColorImage& frame) {
   GrayImage gray(frame.width(), frame.height());
   if (frame.empty()) return gray;

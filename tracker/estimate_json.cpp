@@ -33,7 +33,7 @@ void add_answer(json& line, const Estimate& estimate, const Database& database) 
 }  // namespace
 
 std::string estimate_json(int frame, double time_s, const Estimate& estimate,
-                          const Database& database) {
+                          const Database& database, const Remarks& remarks) {
   const Box& box = estimate.box;
   json line = {{"frame", frame},
                {"time_s", time_s},
@@ -47,6 +47,8 @@ std::string estimate_json(int frame, double time_s, const Estimate& estimate,
                  {"temporal", estimate.ms.temporal},
                  {"total", estimate.ms.total}}}};
   if (estimate.valid) add_answer(line, estimate, database);
+  if (!remarks.notes.empty()) line["notes"] = remarks.notes;
+  if (!remarks.warnings.empty()) line["warnings"] = remarks.warnings;
   return line.dump();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/tracker/hand_reader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "graspdb/core/error.h"
@@ -8,6 +9,13 @@
 #include "mirror.h"
 
 namespace graspdb {
+namespace {
+
+bool is_empty(const Mask& mask) {
+  return std::all_of(mask.begin(), mask.end(), [](std::uint8_t pixel) { return pixel == 0; });
+}
+
+}  // namespace
 
 HandReader::HandReader(const Database& database, const ReaderOptions& options,
                        const std::string& search)
@@ -33,7 +41,8 @@ Estimate HandReader::read(const ColorImage& frame, const Mask& mask, const Intri
 Observation HandReader::observe(const ColorImage& frame, const Intrinsics& camera) const {
   const Stopwatch watch;
   Mask hand = find_hand(frame, options_.roi, options_.skin);
-  return {to_gray(frame), std::move(hand), camera, watch.ms()};
+  const bool colorless = is_empty(hand) && !has_color(frame);
+  return {to_gray(frame), std::move(hand), camera, watch.ms(), colorless};
 }
 
 Observation HandReader::observe(GrayImage gray, const Mask& mask, const Intrinsics& camera) const {
@@ -51,6 +60,7 @@ Estimate HandReader::read(const Observation& seen) {
   estimate.ms.segment = seen.segment_ms;
   estimate.ms.total = seen.segment_ms + watch.ms();
   estimate.hand = seen.hand;
+  estimate.colorless = seen.colorless;
   return estimate;
 }
 

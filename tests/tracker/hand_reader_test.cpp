@@ -85,6 +85,19 @@ TEST_F(Reader, AFrameWithoutAHandIsInvalid) {
   EXPECT_TRUE(std::ranges::all_of(estimate.hand, [](std::uint8_t pixel) { return pixel == 0; }));
 }
 
+// Not the same as a frame that shows no hand: there is nothing to find one by.
+TEST_F(Reader, AFrameWithoutColorIsToldFromOneWithoutAHand) {
+  const Frame frame(100);
+  ColorImage gray = frame.color;
+  for (Bgr& pixel : gray) pixel = {pixel[2], pixel[2], static_cast<std::uint8_t>(pixel[2] + 3)};
+  EXPECT_TRUE(reader().read(gray, kFrameCamera).colorless);
+  EXPECT_TRUE(reader({.left_hand = true}).read(gray, kFrameCamera).colorless);
+  EXPECT_FALSE(reader().read(gray, frame.mask, kFrameCamera).colorless);
+  EXPECT_FALSE(reader().read(frame.color, kFrameCamera).colorless);
+  const ColorImage wall(kWidth, kHeight, {90, 60, 40});
+  EXPECT_FALSE(reader().read(wall, kFrameCamera).colorless);
+}
+
 TEST_F(Reader, AMirroredFrameOfTheOtherHandGivesTheMirroredAnswer) {
   const Frame frame(100);
   const Estimate seen = reader().read(frame.color, frame.mask, kFrameCamera);

@@ -85,7 +85,8 @@ struct Observation {
   GrayImage gray;
   Mask hand;  // the visible hand without its forearm, of the same size
   Intrinsics camera;
-  double segment_ms = 0;  // what finding it took
+  double segment_ms = 0;   // what finding it took
+  bool colorless = false;  // no hand was found, and there is no colour to find one by
 };
 
 struct Hypothesis {
@@ -104,9 +105,10 @@ struct Estimate {
   // How likely the rotation is right to 30 degrees, by the distance of the nearest descriptor.
   double confidence = 0;
   // What was seen.
-  Mask hand;              // HandReader's
-  Box box;                // of the mask, pixels; empty without one
-  Descriptor descriptor;  // of the mask's pixels; of a left hand in the mirror
+  bool colorless = false;  // HandReader's: no hand, as there is no colour to find it by
+  Mask hand;               // HandReader's
+  Box box;                 // of the mask, pixels; empty without one
+  Descriptor descriptor;   // of the mask's pixels; of a left hand in the mirror
   // The answer: the heaviest hypothesis.
   std::uint32_t row = 0;
   double distance = 0;           // of the nearest descriptor
