@@ -183,6 +183,48 @@ TEST(ImageIo, EveryExifOrientationIsApplied) {
   }
 }
 
+// As the PNG specification has it, bit by bit.
+std::uint32_t crc(const std::string& bytes) {
+  std::uint32_t sum = ~0U;
+  for (const char byte : bytes) {
+    sum ^= static_cast<std::uint8_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ ((sum & 1) != 0 ? 0xEDB88320U : 0);
+  }
+  return ~sum;
+}
+
+std::string big_endian(std::uint32_t number) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift);
+  return bytes;
+}
+
+// After the signature and the header of 25 bytes.
+void add_exif(const fs::path& png, const std::string& exif) {
+  std::string bytes = read_text(png);
+  const std::string chunk = "eXIf" + exif;
+  bytes.insert(
+      33, big_endian(static_cast<std::uint32_t>(exif.size())) + chunk + big_endian(crc(chunk)));
+  write_text(png, bytes);
+}
+
+TEST(ImageIo, TheOrientationOfAPngIsApplied) {
+  using namespace std::string_literals;
+  const TemporaryDirectory folder;
+  const std::string little = "II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0"s,
+                    big = "MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0"s;
+  for (const std::string& exif : {little, big}) {
+    write_stored(folder / "a.png", 1);
+    add_exif(folder / "a.png", exif);
+    EXPECT_EQ(corners_of(read_color(folder / "a.png")), "brwg");
+  }
+  for (std::size_t size = 0; size < little.size() - 4; ++size) {  // cut short: there is none
+    write_stored(folder / "a.png", 1);
+    add_exif(folder / "a.png", little.substr(0, size));
+    EXPECT_EQ(read_color(folder / "a.png").width(), size < 20 ? 32 : 16) << size;
+  }
+}
+
 TEST(ImageIo, PixelsAreMadeSquare) {
   const TemporaryDirectory folder;
   for (const char* name : {"a.png", "a.jpg", "a.tif"}) {
