@@ -4,27 +4,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <opencv2/videoio.hpp>
-#include <set>
 #include <tuple>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/opencv/opencv_image.h"
+#include "graspdb/core/stopwatch.h"
 #include "graspdb/renderer/image_io.h"
+#include "video_file.h"
 
 namespace graspdb {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array kPictureEndings = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
+
 bool is_picture(const fs::path& path) {
-  static const std::set<std::string> kEndings = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  return kEndings.contains(ending);
+  return std::ranges::find(kPictureEndings, ending) != kPictureEndings.end();
 }
 
 bool is_digit(char c) {
@@ -67,7 +70,7 @@ std::vector<fs::path> pictures_of(const fs::path& folder) {
 
 // The mask named like the frame, with any ending.
 Mask find_mask(const fs::path& folder, const fs::path& frame, const ColorImage& color) {
-  for (const char* ending : {".png", ".jpg", ".bmp"}) {
+  for (const char* ending : kPictureEndings) {
     const fs::path file = folder / (frame.stem().string() + ending);
     if (fs::exists(file)) return read_mask(file, color);
   }
@@ -76,11 +79,11 @@ Mask find_mask(const fs::path& folder, const fs::path& frame, const ColorImage& 
 
 class Pictures : public FrameSource {
  public:
-  Pictures(const fs::path& folder, fs::path masks)
-      : files_(pictures_of(folder)), masks_(std::move(masks)) {}
+  Pictures(std::vector<fs::path> files, fs::path masks)
+      : files_(std::move(files)), masks_(std::move(masks)) {}
   // A rendered sequence: frames, noisy masks unless others are given, camera and truth.
   Pictures(WrittenSequence sequence, const fs::path& masks)
-      : Pictures(sequence.directory / "frames",
+      : Pictures(pictures_of(sequence.directory / "frames"),
                  masks.empty() ? sequence.directory / "noisy" : masks) {
     sequence_ = std::move(sequence);
     if (files_.size() == sequence_->truth.size()) return;
@@ -94,7 +97,9 @@ class Pictures : public FrameSource {
     const fs::path& file = files_[next_];
     InputFrame frame{.index = static_cast<int>(next_),
                      .time = static_cast<double>(next_) / frames_per_second()};
-    frame.color = read_color(file);
+    Picture picture = read_picture(file);
+    frame.color = std::move(picture.color);
+    frame.notes = std::move(picture.notes);
     if (!masks_.empty()) frame.mask = find_mask(masks_, file, frame.color);
     ++next_;
     return frame;
@@ -114,42 +119,56 @@ class Pictures : public FrameSource {
 
 class Video : public FrameSource {
  public:
-  Video(const std::string& input, fs::path masks) : input_(input), masks_(std::move(masks)) {
-    const std::optional<int> camera = camera_number(input);
-    if (!camera && !fs::is_regular_file(input)) fail("no such file");
-    // Other backends than FFmpeg would take names of files for patterns and devices.
-    if (!(camera ? capture_.open(*camera) : capture_.open(input, cv::CAP_FFMPEG)))
-      fail(camera ? "no camera that opens" : "a file that is no video");
-    const double count = camera ? 0 : capture_.get(cv::CAP_PROP_FRAME_COUNT);
-    if (count > 0) count_ = static_cast<std::size_t>(count);
+  Video(const std::string& input, fs::path masks) : file_(input), masks_(std::move(masks)) {}
+
+  std::optional<InputFrame> next() override {
+    std::optional<VideoFrame> shown = file_.next();
+    if (!shown) return std::nullopt;
+    InputFrame frame{.index = next_, .time = shown->time, .color = std::move(shown->color)};
+    frame.notes = std::move(shown->notes);
+    if (!masks_.empty()) frame.mask = find_mask(masks_, fmt::format("{:06}", next_), frame.color);
+    ++next_;
+    return frame;
+  }
+  double frames_per_second() const override { return file_.frames_per_second(); }
+  std::optional<std::size_t> count() const override { return file_.count(); }
+  std::vector<std::string> warnings() const override { return file_.warnings(); }
+
+ private:
+  VideoFile file_;
+  fs::path masks_;
+  int next_ = 0;
+};
+
+// A camera states no times: the clock says when its frames come.
+class LiveCamera : public FrameSource {
+ public:
+  LiveCamera(const std::string& input, int number) : input_(input) {
+    if (!capture_.open(number)) fail("no camera that opens");
   }
 
   std::optional<InputFrame> next() override {
     cv::Mat frame;
     if (!capture_.read(frame)) return std::nullopt;
     if (frame.type() != CV_8UC3) fail("frames that are not 8-bit colour");
-    InputFrame result{
-        .index = next_, .time = next_ / frames_per_second(), .color = to_color_image(frame)};
-    if (!masks_.empty()) result.mask = find_mask(masks_, fmt::format("{:06}", next_), result.color);
-    ++next_;
-    return result;
+    if (!since_first_) since_first_.emplace();
+    return InputFrame{
+        .index = next_++, .time = since_first_->ms() / 1000, .color = to_color_image(frame)};
   }
   double frames_per_second() const override {
     const double rate = capture_.get(cv::CAP_PROP_FPS);
     return rate > 0 ? rate : 30;
   }
-  std::optional<std::size_t> count() const override { return count_; }
+  std::optional<std::size_t> count() const override { return std::nullopt; }
 
  private:
   [[noreturn]] void fail(const char* found) const {
-    throw Error(
-        {.file = input_, .expected = "a video, a folder of pictures or camera:N", .found = found});
+    throw Error({.file = input_, .expected = "a camera", .found = found});
   }
 
   std::string input_;
   cv::VideoCapture capture_;
-  fs::path masks_;
-  std::optional<std::size_t> count_;
+  std::optional<Stopwatch> since_first_;
   int next_ = 0;
 };
 
@@ -167,18 +186,17 @@ bool is_sequence(const fs::path& input) {
   return fs::exists(input / "sequence.json");
 }
 
-Mask read_mask(const fs::path& file, const ColorImage& color) {
-  Mask mask = read_gray(file);
-  for (std::uint8_t& pixel : mask) pixel = pixel > 127 ? 255 : 0;
-  if (mask.width() == color.width() && mask.height() == color.height()) return mask;
-  throw Error({file.string(), "",
-               fmt::format("a mask of {} x {} pixels", color.width(), color.height()),
-               fmt::format("{} x {}", mask.width(), mask.height())});
-}
-
 std::unique_ptr<FrameSource> open_source(const std::string& input, const fs::path& masks) {
+  if (const std::optional<int> camera = camera_number(input))
+    return std::make_unique<LiveCamera>(input, *camera);
   if (is_sequence(input)) return std::make_unique<Pictures>(read_sequence(input), masks);
-  if (fs::is_directory(input)) return std::make_unique<Pictures>(input, masks);
+  if (fs::is_directory(input)) return std::make_unique<Pictures>(pictures_of(input), masks);
+  if (!fs::is_regular_file(input)) {
+    throw Error({.file = input,
+                 .expected = "a video, a picture, a folder of pictures or camera:N",
+                 .found = "no such file"});
+  }
+  if (is_picture(input)) return std::make_unique<Pictures>(std::vector<fs::path>{input}, masks);
   return std::make_unique<Video>(input, masks);
 }
 
