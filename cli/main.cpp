@@ -76,6 +76,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     return 0;
+  } catch (const CLI::RuntimeError& status) {
+    return status.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return report_wrong_use(app, error);
   } catch (const std::exception& error) {

@@ -23,7 +23,7 @@ struct QueryArguments {
 };
 
 struct Query {
-  ColorImage picture;
+  Picture picture;
   Estimate seen;
 };
 
@@ -38,7 +38,7 @@ ColorImage hand_picture(const Query& query) {
     for (int x = 0; x < side; ++x) {
       const int u = left + x, v = top + y;
       if (u < 0 || v < 0 || u >= hand.width() || v >= hand.height()) continue;
-      Bgr& pixel = square.at(x, y) = query.picture.at(u, v);
+      Bgr& pixel = square.at(x, y) = query.picture.color.at(u, v);
       if (hand.at(u, v) != 0) continue;
       for (std::uint8_t& channel : pixel) channel = static_cast<std::uint8_t>(190 + channel / 4);
     }
@@ -66,8 +66,9 @@ void print_json(const Database& database, const Query& query,
                     {"variant", database.info().variants[database.variant(row)]}});
   }
   const Box& box = query.seen.box;
-  const nlohmann::ordered_json answer{{"box", {box.x, box.y, box.width, box.height}},
-                                      {"neighbours", std::move(list)}};
+  nlohmann::ordered_json answer{{"box", {box.x, box.y, box.width, box.height}},
+                                {"neighbours", std::move(list)}};
+  if (!query.picture.notes.empty()) answer["notes"] = query.picture.notes;
   fmt::print("{}\n", answer.dump(1));
 }
 
@@ -93,13 +94,18 @@ void draw(const QueryArguments& options, const Database& database, const Query& 
 }
 
 Query read_query(const QueryArguments& options, HandReader& reader) {
-  Query query{.picture = read_color(options.image)};
-  const Intrinsics camera = guess_camera(query.picture.width(), query.picture.height());
-  query.seen = options.mask.empty()
-                   ? reader.read(query.picture, camera)
-                   : reader.read(query.picture, read_mask(options.mask, query.picture), camera);
+  Query query{.picture = read_picture(options.image)};
+  for (const std::string& note : query.picture.notes)
+    fmt::print(stderr, "{}: {}\n", options.image, note);
+  const ColorImage& color = query.picture.color;
+  const Intrinsics camera = guess_camera(color.width(), color.height());
+  query.seen = options.mask.empty() ? reader.read(color, camera)
+                                    : reader.read(color, read_mask(options.mask, color), camera);
   if (query.seen.box.width > 0) return query;
-  throw Error({.file = options.image, .expected = "a hand", .found = "none"});
+  throw Error({.file = options.image,
+               .expected = "a hand",
+               .found = query.seen.colorless ? "a picture without colour to find one by (--mask)"
+                                             : "none"});
 }
 
 void run(const QueryArguments& options) {

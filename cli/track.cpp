@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <opencv2/highgui.hpp>
@@ -7,17 +8,16 @@
 #include "checks.h"
 #include "console.h"
 #include "graspdb/core/error.h"
-#include "graspdb/core/file.h"
 #include "graspdb/core/opencv/opencv_image.h"
 #include "graspdb/evaluation/evaluate.h"
 #include "graspdb/evaluation/tables.h"
 #include "graspdb/generator/build_config.h"
 #include "graspdb/pictures/estimate_picture.h"
 #include "graspdb/pictures/overlay.h"
-#include "graspdb/tracker/estimate_json.h"
 #include "graspdb/tracker/hand_reader.h"
 #include "graspdb/video/frame_source.h"
 #include "graspdb/video/video_writer.h"
+#include "track_log.h"
 #include "track_statistics.h"
 #include "tracker_options.h"
 #include "verbs.h"
@@ -26,7 +26,6 @@ namespace graspdb::cli {
 namespace {
 
 constexpr int kOverlayHeight = 360;
-constexpr const char* kStandardOutput = "-";
 constexpr int kMaxSide = 100000;  // of a picture, pixels
 
 struct TrackArguments {
@@ -71,9 +70,9 @@ class Run {
       : options_(options),
         source_(open_source(options.input, options.masks)),
         database_(Database::open(options.database)),
-        reader_(database_, reader_options(options), options.tracker.search) {
+        reader_(database_, reader_options(options), options.tracker.search),
+        log_(options.json, database_, camera_number(options.input).has_value()) {
     tell_what_is_lacking(database_);
-    if (!options.json.empty() && options.json != kStandardOutput) json_.emplace(options.json);
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
     if (video_ || options.show) answer_.emplace(database_, options.handedness == "left");
   }
@@ -89,13 +88,23 @@ class Run {
       progress(done, done < count ? count : 0);  // it may have been too low
       if (stop_ || interrupted()) break;
     }
-    if (done == 0)
-      throw Error({.file = options_.input, .expected = "frames", .found = "none that can be read"});
+    if (done == 0) {
+      std::vector<std::string> found = source_->warnings();
+      found.insert(found.begin(), "none that can be read");
+      throw Error({options_.input, "", "frames", fmt::format("{}", fmt::join(found, "; "))});
+    }
     progress(done, done);
+    for (const std::string& warning : source_->warnings()) log_.warn(warning);
+    if (!any_hand()) {
+      log_.warn(fmt::format("no hand in any of {} frames ({} show something that resembles no row)",
+                            done, statistics_.seen));
+    }
   }
 
+  bool any_hand() const { return statistics_.valid > 0; }
+
   void finish() {
-    if (json_) json_->commit();
+    log_.commit();
     if (video_) video_->finish();
     // Answers on standard output stand there alone.
     std::FILE* const to = options_.json == kStandardOutput ? stderr : stdout;
@@ -129,16 +138,9 @@ class Run {
     const Estimate estimate = frame.mask ? reader_.read(frame.color, *frame.mask, *camera_)
                                          : reader_.read(frame.color, *camera_);
     statistics_.add(estimate);
-    write_json(estimate_json(frame.index, frame.time, estimate, database_) + "\n");
+    log_.add(frame, estimate);
     if (video_ || options_.show) draw(frame, estimate);
     if (source_->sequence()) compare_with_truth(frame, estimate);
-  }
-
-  void write_json(const std::string& line) {
-    if (json_) json_->write(line);
-    if (options_.json != kStandardOutput) return;
-    fmt::print("{}", line);
-    std::fflush(stdout);  // a program at the other end reads along
   }
 
   void draw(const InputFrame& frame, const Estimate& estimate) {
@@ -194,7 +196,7 @@ class Run {
   std::unique_ptr<FrameSource> source_;
   Database database_;
   HandReader reader_;
-  std::optional<FileAside> json_;
+  TrackLog log_;
   std::optional<VideoWriter> video_;
   std::optional<EstimatePicture> answer_;
   std::optional<Intrinsics> camera_;
@@ -222,8 +224,10 @@ void add_track(CLI::App& app) {
   auto options = std::make_shared<TrackArguments>();
   CLI::App* verb = app.add_subcommand("track", "Read a hand's pose from video");
   verb->add_option("DB", options->database, "The database")->required();
-  verb->add_option("INPUT", options->input,
-                   "A video, a folder of pictures, camera:N, or the folder of a rendered sequence")
+  verb->add_option(
+          "INPUT", options->input,
+          "A video, a picture, a folder of pictures, camera:N, or the folder of a rendered "
+          "sequence")
       ->required()
       ->check(check_input);
   verb->add_option(
@@ -257,6 +261,7 @@ void add_track(CLI::App& app) {
     Run run(*options);
     run.all_frames();
     run.finish();
+    if (!run.any_hand()) throw CLI::RuntimeError(kNothingFound);
   });
 }
 

@@ -17,6 +17,7 @@ void print_stage(std::FILE* to, const char* name, const std::vector<double>& ms)
 
 void TrackStatistics::add(const Estimate& estimate) {
   ++frames;
+  seen += estimate.box.width > 0 ? 1 : 0;
   valid += estimate.valid ? 1 : 0;
   segment.push_back(estimate.ms.segment);
   describe.push_back(estimate.ms.describe);

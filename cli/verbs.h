@@ -6,6 +6,10 @@
 
 namespace graspdb::cli {
 
+// The program's exit status when it did its work and found no hand, as a CLI::RuntimeError carries
+// it; 1 is a fault, 2 wrong use.
+constexpr int kNothingFound = 3;
+
 void add_bench(CLI::App& app);
 void add_build(CLI::App& app);
 void add_diff(CLI::App& app);

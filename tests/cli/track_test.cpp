@@ -214,7 +214,7 @@ pid_t start_tracking(const std::string& database, const std::string& frames,
   const pid_t child = ::fork();
   if (child == 0) {
     ::execl(GRASPDB_PROGRAM, "graspdb", "track", database.c_str(), frames.c_str(), "--masks",
-            masks.c_str(), "--json", answer.c_str(), nullptr);
+            masks.c_str(), "--json", answer.c_str(), "--max-distance", "1000", nullptr);
     ::_exit(127);
   }
   return child;
