@@ -10,14 +10,13 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "exif_chunk.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
 #include "graspdb/core/pixel_layout.h"
-#include "png_exif.h"
 
 namespace graspdb {
 
@@ -76,12 +75,10 @@ void check_size(const OIIO::ImageSpec& spec, const fs::path& path) {
                                     spec.nchannels)});
 }
 
-PixelLayout layout_of(const OIIO::ImageInput& input, const fs::path& path) {
-  const OIIO::ImageSpec& spec = input.spec();
-  const bool is_png = std::string_view(input.format_name()) == "png";
-  const int orientation = is_png ? png_orientation(path) : spec.get_int_attribute("Orientation", 1);
-  return checked_layout(orientation, spec.get_float_attribute("PixelAspectRatio", 1),
-                        path.string());
+PixelLayout layout_of(const OIIO::ImageSpec& spec, const fs::path& path) {
+  const int stated = spec.get_int_attribute("Orientation", 0);
+  return checked_layout(stated == 0 ? orientation_in_chunk(path) : stated,
+                        spec.get_float_attribute("PixelAspectRatio", 1), path.string());
 }
 
 [[noreturn]] void fail_to_read(const fs::path& path, std::string found) {
@@ -96,7 +93,7 @@ Decoded<Sample> read_image(const fs::path& path) {
   const auto input = OIIO::ImageInput::open(path.string());
   if (!input) fail_to_read(path, OIIO::geterror());
   check_size(input->spec(), path);
-  Decoded<Sample> decoded{input->spec(), {}, layout_of(*input, path)};
+  Decoded<Sample> decoded{input->spec(), {}, layout_of(input->spec(), path)};
   decoded.samples.resize(decoded.spec.image_pixels() * decoded.channels());
   const bool read = input->read_image(0, 0, 0, decoded.spec.nchannels,
                                       OIIO::BaseTypeFromC<Sample>::value, decoded.samples.data());

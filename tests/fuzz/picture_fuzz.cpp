@@ -45,6 +45,7 @@ void expect_picture_or_refused(const std::filesystem::path& file) {
   try {
     const ColorImage color = read_color(file);
     if (color.empty() || read_gray(file).size() != color.size()) std::abort();
+    if (read_levels(file).gray.size() != color.size()) std::abort();
   } catch (const Error&) {
   }
 }

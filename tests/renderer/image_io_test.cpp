@@ -225,6 +225,19 @@ TEST(ImageIo, TheOrientationOfAPngIsApplied) {
   }
 }
 
+TEST(ImageIo, TheOrientationOfAWebpIsApplied) {
+  using namespace std::string_literals;
+  const TemporaryDirectory folder;
+  write_stored(folder / "a.webp", 1);
+  std::string bytes = read_text(folder / "a.webp");
+  const std::string exif = "MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0"s;
+  bytes += "EXIF"s + static_cast<char>(exif.size()) + "\0\0\0"s + exif;
+  const auto size = static_cast<std::uint32_t>(bytes.size() - 8);
+  for (std::size_t i = 0; i < 4; ++i) bytes[4 + i] = static_cast<char>(size >> (8 * i));
+  write_text(folder / "a.webp", bytes);
+  EXPECT_EQ(corners_of(read_color(folder / "a.webp")), "brwg");
+}
+
 TEST(ImageIo, PixelsAreMadeSquare) {
   const TemporaryDirectory folder;
   for (const char* name : {"a.png", "a.jpg", "a.tif"}) {
