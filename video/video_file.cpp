@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include "graspdb/core/error.h"
 
@@ -74,6 +75,12 @@ AVFormatContext* open_format(const std::string& path) {
   return fault < 0 ? nullptr : format;
 }
 
+// Such a one is read without its EXIF.
+bool is_still(const AVFormatContext& format) {
+  const std::string_view name = format.iformat->name;
+  return name == "image2" || name.ends_with("_pipe");
+}
+
 }  // namespace
 
 void VideoFile::Free::operator()(AVFormatContext* format) const {
@@ -97,6 +104,7 @@ VideoFile::VideoFile(const std::string& path) : path_(path) {
   format_.reset(open_format(path));
   if (!format_ || avformat_find_stream_info(format_.get(), nullptr) < 0)
     fail("a file that is no video");
+  if (is_still(*format_)) fail("a picture of another kind than .png, .jpg, .bmp and .tif");
   open_decoder();
   frame_.reset(av_frame_alloc());
   bgr_.reset(av_frame_alloc());

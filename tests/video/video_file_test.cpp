@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstring>
+#include <opencv2/imgcodecs.hpp>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
@@ -145,7 +146,9 @@ TEST_F(VideoFile, WhatFollowsADamagedFrameIsRead) {
 TEST_F(VideoFile, WhatIsNoVideoIsNamed) {
   write_text(path("text.mp4"), "no video");
   write_text(path("list.m3u8"), "#EXTM3U\n#EXTINF:1,\nhttp://127.0.0.1:1/a.ts\n#EXT-X-ENDLIST\n");
-  for (const char* name : {"text.mp4", "list.m3u8", "absent.mp4"}) {
+  cv::imwrite(path("photo.png").string(), cv::Mat(20, 20, CV_8UC3));
+  std::filesystem::rename(path("photo.png"), path("photo.other"));  // its EXIF would be lost
+  for (const char* name : {"text.mp4", "list.m3u8", "absent.mp4", "photo.other"}) {
     try {
       shown(path(name));
       ADD_FAILURE() << name << " was read";
