@@ -214,6 +214,8 @@ std::string check_input(const std::string& input) {
 void check_together(const TrackArguments& options) {
   if (!options.roi.empty() && (options.roi[2] <= 0 || options.roi[3] <= 0))
     throw CLI::ValidationError("--roi", "width and height must be more than 0");
+  if (!options.masks.empty() && camera_number(options.input))
+    throw CLI::ValidationError("--masks", "a camera's frames have none");
   if (options.focal_px > 0 && is_sequence(options.input))
     throw CLI::ValidationError("--focal", "a rendered sequence states its own camera");
 }
@@ -254,7 +256,9 @@ void add_track(CLI::App& app) {
                    "Write frame, mask, HOG and estimate side by side to this .mp4")
       ->check(output_file({".mp4"}));
   verb->add_flag("--show", options->show, "Show the same in a window; q ends");
-  verb->footer("Example: graspdb track hands.graspdb video.mp4 --focal 900 --video overlay.mp4");
+  verb->footer(
+      "The exit status is 3 when no frame had a hand.\n"
+      "Example: graspdb track hands.graspdb video.mp4 --focal 900 --video overlay.mp4");
   verb->callback([options] {
     check_together(*options);
     stop_on_interrupt();

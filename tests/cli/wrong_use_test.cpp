@@ -138,6 +138,7 @@ TEST(WrongUse, APresetIsOneOfThoseThatThereAre) {
 TEST(WrongUse, ACameraIsANumber) {
   for (const char* camera : {"camera:", "camera:x", "camera:1x", "camera:-1"})
     expect_wrong_use(std::string("track db ") + camera, "camera:N");
+  expect_wrong_use("track db camera:0 --masks masks", "--masks");
 }
 
 TEST(WrongUse, ListsDoNotSwallowWhatFollows) {

@@ -51,7 +51,8 @@ bool is_sequence(const std::filesystem::path& input);
 // for another size and for levels of which none is clearly a hand's.
 Mask read_mask(const std::filesystem::path& file, const ColorImage& color);
 
-// `masks` is a folder of masks named as the frames, or empty. Throws Error for what cannot be read.
+// `masks` is a folder of masks named as the frames, or empty; a camera's frames have none. Throws
+// Error for what cannot be read.
 std::unique_ptr<FrameSource> open_source(const std::string& input,
                                          const std::filesystem::path& masks);
 
