@@ -23,18 +23,31 @@ std::string lower_extension(const fs::path& file) {
   return extension;
 }
 
+void require_limited(const fs::path& file) {
+  std::error_code absent;  // who reads it reports that
+  const std::uintmax_t size = fs::file_size(file, absent);
+  if (!absent && size > kLargestFile) {
+    throw Error({file.string(), "", fmt::format("at most {} MiB", kLargestFile >> 20),
+                 fmt::format("{} bytes", size)});
+  }
+}
+
 void import_bytes(Assimp::Importer& importer, const std::string& bytes, const char* format) {
   importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format);
 }
 
 void import(Assimp::Importer& importer, const fs::path& file) {
-  const std::string extension = lower_extension(file), name = file.string();
+  const std::string extension = lower_extension(file);
   if (extension == ".glb") {
-    import_bytes(importer, reduced_glb(read_text(file), name), "glb");
+    import_bytes(importer, reduced_glb(read_limited(file), file), "glb");
+  } else if (extension == ".gltf") {
+    import_bytes(importer, reduced_gltf(read_limited(file), file), "glb");
   } else if (extension == ".obj") {
-    import_bytes(importer, reduced_obj(read_text(file), name), "obj");
+    import_bytes(importer, reduced_obj(read_limited(file), file.string()), "obj");
   } else {
-    importer.ReadFile(name, 0);
+    require_limited(file);
+    require_fetched(file);
+    importer.ReadFile(file.string(), 0);
   }
 }
 
@@ -109,14 +122,13 @@ class SceneCheck {
 
 }  // namespace
 
+std::string read_limited(const fs::path& file) {
+  require_limited(file);
+  return read_text(file);
+}
+
 const aiScene& read_scene(Assimp::Importer& importer, const fs::path& file, unsigned steps,
                           const std::string& what) {
-  std::error_code absent;  // read_text() and assimp report that
-  const std::uintmax_t size = fs::file_size(file, absent);
-  if (!absent && size > kLargestFile) {
-    throw Error({file.string(), "", fmt::format("at most {} MiB", kLargestFile >> 20),
-                 fmt::format("{} bytes", size)});
-  }
   import(importer, file);
   const aiScene* scene = importer.GetScene();
   if (scene != nullptr) {
