@@ -43,6 +43,28 @@ int buried_triangles(const Mesh& mesh) {
   return buried;
 }
 
+// `fail` takes what is expected and what is found.
+template <typename Fail>
+void require_closed(std::span<const Triangle> triangles, const Fail& fail) {
+  const EdgeCounts edges = count_edges(triangles);
+  const std::size_t repeated = edges.crowded > 0 ? count_repeated(triangles) : 0;
+  if (repeated > 0) {
+    fail("every triangle once",
+         fmt::format("{} that are there again (a doubled or double-sided surface, or parts that "
+                     "touch: join them)",
+                     repeated));
+  }
+  if (edges.open > 0) fail("a watertight surface", fmt::format("{} open edges", edges.open));
+  if (edges.crowded > 0) {
+    fail("two triangles at every edge (parts that touch are to be joined)",
+         fmt::format("{} edges with more", edges.crowded));
+  }
+  if (edges.turned > 0) {
+    fail("a surface whose triangles all face outwards",
+         fmt::format("{} edges where they disagree", edges.turned));
+  }
+}
+
 void require_solid(const Mesh& surface, const std::filesystem::path& file) {
   const auto fail = [&](const char* expected, const std::string& found) {
     throw Error({.file = file.string(), .expected = expected, .found = found});
@@ -52,12 +74,7 @@ void require_solid(const Mesh& surface, const std::filesystem::path& file) {
   if (!(size >= kSmallest && size <= kLargest)) {
     fail("an object of 1 to 1000 mm (is its unit right?)", fmt::format("{:.4g} mm", size * 1000));
   }
-  const EdgeCounts edges = count_edges(surface.triangles);
-  if (edges.open > 0) fail("a watertight surface", fmt::format("{} open edges", edges.open));
-  if (const std::size_t twisted = edges.crowded + edges.turned; twisted > 0) {
-    fail("a surface whose triangles all face outwards",
-         fmt::format("{} edges where they disagree", twisted));
-  }
+  require_closed(surface.triangles, fail);
   if (volume_of(surface) <= 0) fail("triangles that face outwards", "a surface turned inside out");
   if (const int buried = buried_triangles(surface); buried > 0) {
     fail("a surface that does not cut itself", fmt::format("{} triangles inside it", buried));

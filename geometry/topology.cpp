@@ -65,6 +65,14 @@ EdgeCounts count_edges(std::span<const Triangle> triangles) {
   return counts;
 }
 
+std::size_t count_repeated(std::span<const Triangle> triangles) {
+  std::vector<Triangle> sorted(triangles.begin(), triangles.end());
+  for (Triangle& t : sorted) std::ranges::sort(t);
+  std::ranges::sort(sorted);
+  const auto [first, last] = std::ranges::unique(sorted);
+  return static_cast<std::size_t>(last - first);
+}
+
 bool is_closed(std::span<const Triangle> triangles) {
   const EdgeCounts edges = count_edges(triangles);
   return edges.open == 0 && edges.crowded == 0;

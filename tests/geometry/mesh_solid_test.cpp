@@ -191,6 +191,32 @@ TEST(MeshSolid, RefusesTrianglesThatFaceTheWrongWay) {
   EXPECT_THAT(refusal(mesh), HasSubstr("inside out"));
 }
 
+TEST(MeshSolid, SaysWhichTrianglesAreThereTwice) {
+  Mesh doubled = tetrahedron();
+  doubled.triangles.push_back({3, 0, 1});
+  doubled.triangles.push_back({0, 2, 1});
+  EXPECT_THAT(refusal(doubled), HasSubstr("every triangle once, found 2 that are there again"));
+  Mesh two_sided = tetrahedron();
+  for (const Triangle& t : tetrahedron().triangles)
+    two_sided.triangles.push_back({t[0], t[2], t[1]});
+  EXPECT_THAT(refusal(two_sided), HasSubstr("found 4 that are there again"));
+  // A sheet that is drawn from both sides has no edge with more than two triangles too many.
+  Mesh sheet = tetrahedron();
+  sheet.triangles = {{0, 1, 2}, {0, 2, 1}, {1, 2, 3}, {1, 3, 2}};
+  EXPECT_THAT(refusal(sheet), HasSubstr("found 2 that are there again"));
+}
+
+TEST(MeshSolid, SaysAtHowManyEdgesPartsTouch) {
+  // Two tetrahedra that share an edge.
+  Mesh touching = tetrahedron();
+  touching.vertices.insert(touching.vertices.end(), {{0, -0.02F, 0}, {0.01F, -0.01F, -0.02F}});
+  touching.normals.assign(6, Eigen::Vector3f::UnitX());
+  for (const Triangle t :
+       {Triangle{0, 1, 4}, Triangle{0, 5, 1}, Triangle{0, 4, 5}, Triangle{1, 5, 4}})
+    touching.triangles.push_back(t);
+  EXPECT_THAT(refusal(touching), HasSubstr("1 edges with more"));
+}
+
 TEST(MeshSolid, RefusesPiecesThatCutEachOtherButNotPiecesApart) {
   const Mesh ball = make_sphere(0.03)->mesh();
   Mesh two = ball;
