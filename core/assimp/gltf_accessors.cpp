@@ -14,8 +14,9 @@ namespace {
 
 using nlohmann::json;
 
-// A sparse accessor may mean much and say little.
-constexpr std::size_t kMostNumbers = 1 << 26;  // of all that is written
+// Accessors that share bytes, or have none besides sparse ones, say little and mean much.
+constexpr std::size_t kMostNumbers = 1 << 25;  // of all that is written
+constexpr std::size_t kMostZeros = 1 << 22;    // of all that have no bytes
 
 const std::map<std::string, std::size_t> kWidths = {
     {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
@@ -104,6 +105,10 @@ GltfAccessors::Elements GltfAccessors::elements(const JsonEntry& place, std::siz
 
 std::vector<double> GltfAccessors::numbers_of(const JsonEntry& entry, std::size_t count,
                                               std::size_t width, std::size_t component) {
+  if (!entry.has("bufferView")) zeros_ += count * width;
+  if (zeros_ > kMostZeros) {
+    entry.at("count").refuse(fmt::format("at most {} numbers without bytes", kMostZeros));
+  }
   std::vector<double> numbers(count * width, 0);
   if (entry.has("bufferView") || !entry.has("sparse")) {
     const Elements all = elements(entry, component, width, count);

@@ -77,6 +77,7 @@ class GltfAccessors {
   std::map<std::tuple<std::size_t, GltfComponent, bool>, GltfNumbers> known_;
   nlohmann::json::array_t written_, written_views_;
   std::string binary_;
+  std::size_t zeros_ = 0;
 };
 
 }  // namespace graspdb
