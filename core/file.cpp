@@ -40,6 +40,16 @@ fs::path place_of(const fs::path& path) {
                .found = fs::is_directory(status) ? "a folder" : "a device or a pipe"});
 }
 
+// How every pointer begins: https://github.com/git-lfs/git-lfs/blob/main/docs/spec.md
+constexpr std::string_view kPointerStart = "version https://git-lfs.github.com/spec";
+
+void refuse_pointer(const fs::path& path, std::string_view text) {
+  if (!text.starts_with(kPointerStart)) return;
+  throw Error({.file = path.string(),
+               .expected = "the file itself",
+               .found = "a Git LFS pointer to it; `git lfs pull` fetches the file"});
+}
+
 }  // namespace
 
 std::string read_text(const fs::path& path) {
@@ -55,7 +65,18 @@ std::string read_text(const fs::path& path) {
   std::ostringstream text;
   const bool is_empty = stream.peek() == std::ifstream::traits_type::eof();
   if (!is_empty && !(text << stream.rdbuf())) throw refuse(std::strerror(errno));
-  return text.str();
+  std::string bytes = std::move(text).str();
+  refuse_pointer(path, bytes);
+  return bytes;
+}
+
+void require_fetched(const fs::path& path) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown)) return;  // reading a pipe would wait
+  std::string start(kPointerStart.size(), '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  refuse_pointer(path, start);
 }
 
 FileAside::FileAside(fs::path path) : path_(std::move(path)), place_(place_of(path_)) {

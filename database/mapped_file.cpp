@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
 
 namespace graspdb {
 namespace {
@@ -38,6 +39,7 @@ class OpenFile {
 }  // namespace
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
+  require_fetched(path);
   const OpenFile file(path);
   struct stat status {};
   if (file.value() < 0 || ::fstat(file.value(), &status) != 0) fail(path, std::strerror(errno));

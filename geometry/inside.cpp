@@ -14,7 +14,8 @@
 namespace graspdb {
 namespace {
 
-constexpr double kCell = 0.003;  // metres
+constexpr double kLargestCell = 0.003;   // metres
+constexpr double kTrianglesInACell = 8;  // about, of many small ones
 
 // Adds the middles of the longest edges until none is longer than `spacing`.
 void split(const Corners& c, double spacing, std::vector<Eigen::Vector3d>& points) {
@@ -103,8 +104,11 @@ InsideTest::InsideTest(const Mesh& mesh) : mesh_(mesh) {
     low_ = low_.cwiseMin(v.head<2>().cast<double>());
     high = high.cwiseMax(v.head<2>().cast<double>());
   }
-  columns_ = static_cast<int>((high.x() - low_.x()) / kCell) + 1;
-  rows_ = static_cast<int>((high.y() - low_.y()) / kCell) + 1;
+  const Eigen::Vector2d size = (high - low_).cwiseMax(kLargestCell);
+  const double share = kTrianglesInACell / static_cast<double>(mesh.triangles.size() + 1);
+  cell_size_ = std::min(kLargestCell, std::sqrt(size.prod() * share));
+  columns_ = static_cast<int>((high.x() - low_.x()) / cell_size_) + 1;
+  rows_ = static_cast<int>((high.y() - low_.y()) / cell_size_) + 1;
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Corners c = corners_of(mesh, mesh.triangles[t]);
@@ -124,7 +128,7 @@ std::size_t InsideTest::cell(int x, int y) const {
 }
 
 int InsideTest::column(double value, int axis) const {
-  return static_cast<int>(std::floor((value - low_[axis]) / kCell));
+  return static_cast<int>(std::floor((value - low_[axis]) / cell_size_));
 }
 
 double InsideTest::depth_along_z(const Eigen::Vector3d& at) const {

@@ -22,14 +22,6 @@ double distance2(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& point) {
   return (box.min() - point).cwiseMax(point - box.max()).cwiseMax(0).squaredNorm();
 }
 
-template <typename T>
-std::vector<T> in_order(const std::vector<T>& all, const std::vector<std::uint32_t>& order) {
-  std::vector<T> sorted;
-  sorted.reserve(order.size());
-  for (const std::uint32_t i : order) sorted.push_back(all[i]);
-  return sorted;
-}
-
 }  // namespace
 
 MeshDistance::MeshDistance(const Mesh& mesh) {
@@ -39,31 +31,38 @@ MeshDistance::MeshDistance(const Mesh& mesh) {
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   nodes_.emplace_back();
   split(0, 0, order);
-  normals_ = in_order(normals_of(mesh), order);
-  triangles_ = in_order(triangles_, order);
+  std::vector<std::uint32_t> places(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) places[order[i]] = i;
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    triangles_[i] = corners_of(mesh, mesh.triangles[order[i]]);
+  }
+  find_surroundings(mesh, places);
 }
 
-// Only the direction of these normals matters, so sums stand for means.
-std::vector<MeshDistance::Normals> MeshDistance::normals_of(const Mesh& mesh) const {
-  std::vector<Normals> normals(triangles_.size());
-  std::vector<Eigen::Vector3d> of_vertex(mesh.vertices.size(), Eigen::Vector3d::Zero());
+// Only the direction of normals matters, so sums stand for means.
+void MeshDistance::find_surroundings(const Mesh& mesh, std::span<const std::uint32_t> places) {
+  surroundings_.resize(triangles_.size());
+  vertex_normals_.resize(mesh.vertices.size(), Eigen::Vector3d::Zero());
   for (std::size_t f = 0; f < triangles_.size(); ++f) {
     const Triangle& t = mesh.triangles[f];
-    const Corners& c = triangles_[f];
-    normals[f].face = normal_of(c).normalized();
+    const Corners& c = triangles_[places[f]];
+    const Eigen::Vector3d normal = face_normal(places[f]);
     for (std::size_t i = 0; i < 3; ++i) {
-      of_vertex[t[i]] += angle_at(c[i], c[(i + 1) % 3], c[(i + 2) % 3]) * normals[f].face;
+      vertex_normals_[t[i]] += angle_at(c[i], c[(i + 1) % 3], c[(i + 2) % 3]) * normal;
     }
-  }
-  for (std::size_t f = 0; f < triangles_.size(); ++f) {
-    for (std::size_t i = 0; i < 3; ++i) normals[f].corners[i] = of_vertex[mesh.triangles[f][i]];
+    surroundings_[places[f]].vertices = t;
   }
   for_each_edge(mesh.triangles, [&](Edge edge) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const TriangleSide& side : edge) sum += normals[side.triangle].face;
-    for (const TriangleSide& side : edge) normals[side.triangle].edges[side.corner] = sum;
+    for (const TriangleSide& side : edge) {
+      const TriangleSide& other =
+          side.triangle == edge.front().triangle ? edge.back() : edge.front();
+      surroundings_[places[side.triangle]].neighbors[side.corner] = places[other.triangle];
+    }
   });
-  return normals;
+}
+
+Eigen::Vector3d MeshDistance::face_normal(std::uint32_t triangle) const {
+  return normal_of(triangles_[triangle]).normalized();
 }
 
 // `part` is of the triangles' order, from `begin` on.
@@ -97,12 +96,12 @@ void MeshDistance::split(std::uint32_t node, std::uint32_t begin, std::span<std:
   split(first + 1, begin + half, part.subspan(half));
 }
 
-const Eigen::Vector3d& MeshDistance::normal(std::uint32_t triangle,
-                                            NearestOnTriangle::Part part) const {
-  const Normals& normals = normals_[triangle];
-  if (part == NearestOnTriangle::kInside) return normals.face;
+Eigen::Vector3d MeshDistance::normal(std::uint32_t triangle, NearestOnTriangle::Part part) const {
+  if (part == NearestOnTriangle::kInside) return face_normal(triangle);
+  const Surroundings& around = surroundings_[triangle];
   const auto index = static_cast<std::size_t>(part);
-  return index < 3 ? normals.corners[index] : normals.edges[index - 3];
+  if (index < 3) return vertex_normals_[around.vertices[index]];
+  return face_normal(triangle) + face_normal(around.neighbors[index - 3]);
 }
 
 MeshDistance::Nearest MeshDistance::nearest(const Eigen::Vector3d& point, double bound) const {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <map>
+#include <numeric>
 #include <tuple>
 
 #include "graspdb/geometry/triangle.h"
@@ -42,6 +42,23 @@ bool is_one_piece(const std::vector<std::vector<std::uint32_t>>& neighbors) {
   return count == neighbors.size();
 }
 
+// For each vertex the one of the lowest number that lies where it does.
+std::vector<std::uint32_t> first_at_their_place(std::span<const Eigen::Vector3f> vertices) {
+  std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](std::uint32_t v) {
+    return std::tuple(vertices[v].x(), vertices[v].y(), vertices[v].z());
+  };
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple_cat(place(a), std::tuple(a)) < std::tuple_cat(place(b), std::tuple(b));
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_same = i > 0 && place(order[i]) == place(order[i - 1]);
+    first[order[i]] = is_same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
 }  // namespace
 
 void for_each_edge(std::span<const Triangle> triangles, const std::function<void(Edge)>& visit) {
@@ -63,6 +80,14 @@ EdgeCounts count_edges(std::span<const Triangle> triangles) {
     counts.turned += edge.size() == 2 && edge[0].upwards == edge[1].upwards;
   });
   return counts;
+}
+
+std::size_t count_repeated(std::span<const Triangle> triangles) {
+  std::vector<Triangle> sorted(triangles.begin(), triangles.end());
+  for (Triangle& t : sorted) std::ranges::sort(t);
+  std::ranges::sort(sorted);
+  const auto [first, last] = std::ranges::unique(sorted);
+  return static_cast<std::size_t>(last - first);
 }
 
 bool is_closed(std::span<const Triangle> triangles) {
@@ -88,15 +113,12 @@ std::vector<std::vector<std::uint32_t>> vertex_neighbors(std::size_t vertex_coun
 }
 
 Mesh welded(const Mesh& mesh) {
-  using Point = std::tuple<float, float, float>;
+  const std::vector<std::uint32_t> first = first_at_their_place(mesh.vertices);
   Mesh result;
-  std::map<Point, std::uint32_t> known;
-  std::vector<std::uint32_t> index;
-  for (const Eigen::Vector3f& v : mesh.vertices) {
-    const auto next = static_cast<std::uint32_t>(result.vertices.size());
-    const auto [place, is_new] = known.try_emplace(Point(v.x(), v.y(), v.z()), next);
-    if (is_new) result.vertices.push_back(v);
-    index.push_back(place->second);
+  std::vector<std::uint32_t> index(first.size());
+  for (std::size_t v = 0; v < first.size(); ++v) {
+    index[v] = first[v] == v ? static_cast<std::uint32_t>(result.vertices.size()) : index[first[v]];
+    if (first[v] == v) result.vertices.push_back(mesh.vertices[v]);
   }
   for (const Triangle& t : mesh.triangles) {
     const Triangle w = {index[t[0]], index[t[1]], index[t[2]]};

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "angle_tables.h"
@@ -95,9 +96,16 @@ void require_virtual_fingers_touch(const TomlTable& file, const Grasp& grasp) {
   }
 }
 
+// In metres. Some files state their own.
+std::optional<double> read_unit(const TomlTable& table) {
+  if (!table.has("unit")) return std::nullopt;
+  const std::string unit = table.choice("unit", {"mm", "cm", "m"});
+  return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1;
+}
+
 // A path in a grasp file is seen from that file.
 std::shared_ptr<const Solid> read_mesh(const TomlTable& table, Grasp& grasp) {
-  const std::string unit = table.choice("unit", {"mm", "cm", "m"});
+  const std::optional<double> unit = read_unit(table);
   grasp.object_file = grasp.file.parent_path() / table.string("mesh");
   std::error_code unknown;  // such as a name that no file can have
   if (!fs::is_regular_file(grasp.object_file, unknown)) {
@@ -105,7 +113,7 @@ std::shared_ptr<const Solid> read_mesh(const TomlTable& table, Grasp& grasp) {
   }
   grasp.object_origin = table.string_or("origin", "");
   grasp.object_license = table.string_or("licence", "");
-  return load_mesh_solid(grasp.object_file, unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1);
+  return load_mesh_solid(grasp.object_file, unit);
 }
 
 std::shared_ptr<const Solid> read_solid(const TomlTable& table, Grasp& grasp) {

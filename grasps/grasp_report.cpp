@@ -30,6 +30,11 @@ std::vector<std::string> digits_of(const std::vector<std::string>& bones) {
   return digits;
 }
 
+// Along the object's own axes.
+Eigen::Vector3d size_mm(const Grasp& grasp) {
+  return 2000 * grasp.object->half_extents();
+}
+
 void add_failures(std::string& out, const GraspCheck& check) {
   for (const std::string& failure : check.failures) append(out, "         {}\n", failure);
 }
@@ -60,7 +65,9 @@ nlohmann::json check_json(const Grasp& grasp, const Hand& hand, const GraspCheck
                      {"at_limits", step.at_limits},
                      {"clearance_mm", step.clearance_mm}});
   }
+  const Eigen::Vector3d size = size_mm(grasp);
   return {{"id", grasp.id},
+          {"object_size_mm", {size.x(), size.y(), size.z()}},
           {"name", grasp.name},
           {"hand", hand.name},
           {"pass", check.pass},
@@ -93,6 +100,9 @@ std::string step_table(const Grasp& grasp, const GraspCheck& check) {
   std::string out;
   append(out, "{} {:3} {}: {}\n", check.pass ? "ok  " : "FAIL", grasp.id, grasp.name,
          grasp.object_name);
+  const Eigen::Vector3d size = size_mm(grasp);
+  append(out, "         the object's x, y and z: {:.1f} x {:.1f} x {:.1f} mm\n", size.x(), size.y(),
+         size.z());
   append(out, "{:>14} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "", "in each", "volume", "overlap", "clear",
          "crossed");
   append(out, "{:>14} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "step", "other mm", "cm3", "mm", "mm",

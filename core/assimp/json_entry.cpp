@@ -61,10 +61,21 @@ std::size_t JsonEntry::whole_or(const std::string& name, std::size_t otherwise,
 }
 
 std::string JsonEntry::text() const {
-  if (!value_->is_string()) refuse("a text");
-  std::string text = value_->get<std::string>();
+  const std::string_view text = long_text();
   if (text.size() > kLongestText) refuse(fmt::format("at most {} bytes", kLongestText), "more");
-  return text;
+  return std::string(text);
+}
+
+std::string_view JsonEntry::long_text() const {
+  if (!value_->is_string()) refuse("a text");
+  return value_->get_ref<const std::string&>();
+}
+
+bool JsonEntry::flag(const std::string& name) const {
+  if (!has(name)) return false;
+  const JsonEntry entry = at(name);
+  if (!entry.value_->is_boolean()) entry.refuse("true or false");
+  return entry.value_->get<bool>();
 }
 
 std::vector<double> JsonEntry::numbers(std::size_t size) const {

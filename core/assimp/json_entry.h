@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace graspdb {
@@ -23,7 +24,10 @@ class JsonEntry {
   std::size_t whole(
       std::size_t limit = std::numeric_limits<std::size_t>::max()) const;  // 0 <= value < limit
   std::size_t whole_or(const std::string& name, std::size_t otherwise, std::size_t limit) const;
-  std::string text() const;                             // of at most 1000 bytes
+  std::string text() const;            // of at most 1000 bytes
+  std::string_view long_text() const;  // of any length; lasts as long as the value
+  bool is_zero() const { return *value_ == 0; }
+  bool flag(const std::string& name) const;             // false when there is none
   std::vector<double> numbers(std::size_t size) const;  // up to kLargestCoordinate, either way
 
   template <typename T>

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "graspdb/core/assimp/assimp_scene.h"
@@ -25,6 +26,7 @@ struct Corner {
   Eigen::Vector3f position, normal;
   float albedo;
   std::vector<BoneShare> shares;
+  bool is_mirrored;  // on its way from the mesh: what faced outwards there turns
 };
 
 class SceneReader {
@@ -55,9 +57,14 @@ class SceneReader {
   void add_mesh(const aiMesh& mesh) {
     if (mesh.mNumBones == 0 || !mesh.HasNormals()) return;  // points and lines have none
     std::vector<std::uint32_t> merged;
-    for (Corner& corner : read_corners(mesh)) merged.push_back(add_corner(std::move(corner)));
+    std::vector<bool> is_mirrored;
+    for (Corner& corner : read_corners(mesh)) {
+      is_mirrored.push_back(corner.is_mirrored);
+      merged.push_back(add_corner(std::move(corner)));
+    }
     for (const Triangle& corners : triangles_of(mesh)) {
-      const Triangle t = {merged[corners[0]], merged[corners[1]], merged[corners[2]]};
+      Triangle t = {merged[corners[0]], merged[corners[1]], merged[corners[2]]};
+      if (is_mirrored[corners[0]]) std::swap(t[1], t[2]);
       if (has_three_corners(t)) file_.mesh.triangles.push_back(t);
     }
   }
@@ -71,6 +78,7 @@ class SceneReader {
       normalize(v, corners[v].shares, blends[v]);
       corners[v].position =
           (blends[v] * to_eigen(mesh.mVertices[v]).cast<double>().homogeneous()).cast<float>();
+      corners[v].is_mirrored = blends[v].leftCols<3>().determinant() < 0;
       if (!corners[v].position.allFinite()) fail(v, "a place", "no number");
       corners[v].normal =
           (blends[v].leftCols<3>() * to_eigen(mesh.mNormals[v]).cast<double>()).cast<float>();

@@ -60,7 +60,9 @@ TEST(GraspNew, ItsFileClosesPassesTheCheckAndIsDrawn) {
   EXPECT_THAT(step.at("contacts").get<std::vector<std::string>>(), Contains("thumb_distal"));
 
   const Outcome told = run_program("grasp check " + file);
-  EXPECT_THAT(told.out, StartsWith("ok   100 Jar Lid: ball\n"));
+  EXPECT_THAT(told.out, StartsWith("ok   100 Jar Lid: ball\n"
+                                   "         the object's x, y and z: 50.0 x 50.0 x 50.0 mm\n"));
+  EXPECT_EQ(grasp.at("object_size_mm").size(), 3U);
   const std::string sheet = (folder / "steps.png").string();
   EXPECT_EQ(run_program("grasp sheet --steps --out " + sheet + " " + file).code, 0);
   EXPECT_THAT(read_text(sheet), StartsWith("\x89PNG"));

@@ -37,6 +37,25 @@ TEST(File, AFullDiskIsAnErrorThatNamesTheFile) {
   }
 }
 
+TEST(File, AGitLfsPointerIsNamedWithWhatToDo) {
+  const testing::TemporaryDirectory directory;
+  write_text(directory / "hand.glb",
+             "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n");
+  write_text(directory / "versions.txt", "version https://git-scm.com\n");
+  const auto refusal = [](const auto& read) -> std::string {
+    try {
+      read();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(refusal([&] { read_text(directory / "hand.glb"); }), HasSubstr("git lfs pull"));
+  EXPECT_THAT(refusal([&] { require_fetched(directory / "hand.glb"); }), HasSubstr("hand.glb"));
+  EXPECT_EQ(refusal([&] { require_fetched(directory / "versions.txt"); }), "accepted");
+  EXPECT_EQ(refusal([&] { require_fetched(directory / "absent"); }), "accepted");
+}
+
 TEST(File, AMissingFileIsAnErrorThatNamesIt) {
   try {
     read_text("/nowhere/at.all");

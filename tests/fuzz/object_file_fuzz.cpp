@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever an object's .glb or .obj holds: it gives a solid whose mesh is sound, or an Error
+// Whatever an object's .glb, .gltf or .obj holds: it gives a solid whose mesh is sound, or an Error
 // refuses it.
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +11,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes = graspdb::testing::text_of(data, size);
-  const char* name = bytes.starts_with("glTF") ? "object.glb" : "object.obj";
+  const char* name = bytes.starts_with("glTF") ? "object.glb"
+                     : bytes.starts_with("{")  ? "object.gltf"
+                                               : "object.obj";
   try {
     const auto solid = graspdb::load_mesh_solid(graspdb::testing::named_file(name, bytes), 1e-3);
     const graspdb::Mesh& mesh = solid->mesh();

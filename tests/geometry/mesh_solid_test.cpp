@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/geometry/mesh_solid.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -166,6 +167,69 @@ TEST(MeshSolid, FingerRingsAreTwoHolesOfTheirSize) {
   EXPECT_LT(rings->distance({0, 0, 0}), -0.001);  // where they are joined
 }
 
+// A ball of 30 mm with two triangles for each of its `steps` x `steps` parts, without doubled
+// vertices.
+Mesh fine_ball(std::uint32_t steps) {
+  Mesh ball;
+  const auto place = [&](double turn, double height) {
+    const double across = std::sqrt(1 - height * height);
+    const Eigen::Vector3d out(across * std::cos(turn), across * std::sin(turn), height);
+    ball.vertices.push_back((0.015 * out).cast<float>());
+    ball.normals.push_back(out.cast<float>());
+  };
+  for (std::uint32_t row = 1; row < steps; ++row) {
+    for (std::uint32_t i = 0; i < steps; ++i) {
+      place(2 * M_PI * i / steps, std::cos(M_PI * row / steps));
+    }
+  }
+  place(0, 1);
+  place(0, -1);
+  const auto last = static_cast<std::uint32_t>(ball.vertices.size() - 1);
+  for (std::uint32_t i = 0; i < steps; ++i) {
+    const std::uint32_t next = (i + 1) % steps, bottom = (steps - 2) * steps;
+    ball.triangles.push_back({last - 1, i, next});
+    ball.triangles.push_back({last, bottom + next, bottom + i});
+    for (std::uint32_t up = 0; up < bottom; up += steps) {
+      ball.triangles.push_back({up + i, up + steps + i, up + steps + next});
+      ball.triangles.push_back({up + i, up + steps + next, up + next});
+    }
+  }
+  return ball;
+}
+
+TEST(LargeMesh, DistancesAreThoseOfTheBallNearAndFar) {
+  const auto solid = make_mesh_solid(fine_ball(250), "ball");
+  ASSERT_GT(solid->mesh().triangles.size(), 100000);
+  const auto truth = [](const Eigen::Vector3d& p) { return p.norm() - 0.015; };
+  for (const double margin : {3e-3, 0.03, 0.3}) {
+    expect_small(differences(*solid, margin, 4000, truth), 0);
+  }
+}
+
+TEST(LargeMesh, RefusesMoreThanTwoMillionTriangles) {
+  Mesh mesh = tetrahedron();
+  mesh.triangles.resize(2000001, {0, 1, 2});
+  EXPECT_THAT(refusal(mesh), HasSubstr("found 2000001"));
+}
+
+TEST(LargeMesh, IsReadFromAFileWithNormalsThatPointOutwards) {
+  const testing::TemporaryDirectory folder;
+  const Mesh ball = fine_ball(330);
+  std::string text;
+  for (const Eigen::Vector3f& v : ball.vertices)
+    text += fmt::format("v {} {} {}\n", v.x(), v.y(), v.z());
+  for (const Triangle& t : ball.triangles)
+    text += fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  write_text(folder / "ball.obj", text);
+  const Mesh read = load_mesh_solid(folder / "ball.obj", 1)->mesh();
+  EXPECT_EQ(read.vertices.size(), ball.vertices.size());
+  ASSERT_EQ(read.triangles.size(), ball.triangles.size());
+  ASSERT_EQ(read.normals.size(), read.vertices.size());
+  for (std::size_t v = 0; v < read.vertices.size(); ++v) {
+    ASSERT_LT((read.normals[v] - read.vertices[v].normalized()).norm(), 0.02) << v;
+  }
+}
+
 TEST(MeshSolid, ItsMiddleIsTheOrigin) {
   Mesh ball;
   append(make_sphere(0.03)->mesh(), {0.4F, -0.1F, 0.2F}, ball);
@@ -189,6 +253,32 @@ TEST(MeshSolid, RefusesTrianglesThatFaceTheWrongWay) {
   mesh = tetrahedron();
   for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
   EXPECT_THAT(refusal(mesh), HasSubstr("inside out"));
+}
+
+TEST(MeshSolid, SaysWhichTrianglesAreThereTwice) {
+  Mesh doubled = tetrahedron();
+  doubled.triangles.push_back({3, 0, 1});
+  doubled.triangles.push_back({0, 2, 1});
+  EXPECT_THAT(refusal(doubled), HasSubstr("every triangle once, found 2 that are there again"));
+  Mesh two_sided = tetrahedron();
+  for (const Triangle& t : tetrahedron().triangles)
+    two_sided.triangles.push_back({t[0], t[2], t[1]});
+  EXPECT_THAT(refusal(two_sided), HasSubstr("found 4 that are there again"));
+  // A sheet that is drawn from both sides has no edge with more than two triangles too many.
+  Mesh sheet = tetrahedron();
+  sheet.triangles = {{0, 1, 2}, {0, 2, 1}, {1, 2, 3}, {1, 3, 2}};
+  EXPECT_THAT(refusal(sheet), HasSubstr("found 2 that are there again"));
+}
+
+TEST(MeshSolid, SaysAtHowManyEdgesPartsTouch) {
+  // Two tetrahedra that share an edge.
+  Mesh touching = tetrahedron();
+  touching.vertices.insert(touching.vertices.end(), {{0, -0.02F, 0}, {0.01F, -0.01F, -0.02F}});
+  touching.normals.assign(6, Eigen::Vector3f::UnitX());
+  for (const Triangle t :
+       {Triangle{0, 1, 4}, Triangle{0, 5, 1}, Triangle{0, 4, 5}, Triangle{1, 5, 4}})
+    touching.triangles.push_back(t);
+  EXPECT_THAT(refusal(touching), HasSubstr("1 edges with more"));
 }
 
 TEST(MeshSolid, RefusesPiecesThatCutEachOtherButNotPiecesApart) {

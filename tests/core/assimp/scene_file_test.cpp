@@ -13,6 +13,7 @@
 #include "graspdb/core/file.h"
 #include "graspdb/geometry/mesh_solid.h"
 #include "support/temporary_directory.h"
+#include "tiny_hand.h"
 
 namespace graspdb {
 namespace {
@@ -21,65 +22,7 @@ using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::TemporaryDirectory;
-
-constexpr int kBytes = 5121, kFloats = 5126;
-
-template <typename T>
-std::string bytes_of(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
-// A tetrahedron of 20 units that two bones move.
-struct TinyHand {
-  json root;
-  std::string binary;
-
-  TinyHand() {
-    root = json::parse(R"({"asset": {"version": "2.0", "generator": "a test"},
-      "scenes": [{"nodes": [0, 1]}],
-      "nodes": [{"mesh": 0, "skin": 0}, {"name": "wrist", "children": [2]},
-                {"name": "tip", "translation": [0, 0, 10]}],
-      "skins": [{"joints": [1, 2]}], "meshes": [{"primitives": [{}]}],
-      "accessors": [], "bufferViews": []})");
-    json& primitive = root["meshes"][0]["primitives"][0];
-    primitive["attributes"]["POSITION"] =
-        add<float>({0, 0, 0, 20, 0, 0, 0, 20, 0, 0, 0, 20}, kFloats, 4, "VEC3");
-    primitive["attributes"]["JOINTS_0"] =
-        add<std::uint8_t>(std::vector<std::uint8_t>(16, 1), kBytes, 4, "VEC4");
-    primitive["attributes"]["WEIGHTS_0"] =
-        add<float>({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, kFloats, 4, "VEC4");
-    primitive["indices"] =
-        add<std::uint8_t>({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}, kBytes, 12, "SCALAR");
-    const std::vector<float> identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    std::vector<float> binds = identity;
-    binds.insert(binds.end(), identity.begin(), identity.end());
-    root["skins"][0]["inverseBindMatrices"] = add(binds, kFloats, 2, "MAT4");
-  }
-
-  template <typename T>
-  std::size_t add(const std::vector<T>& values, int component, std::size_t count,
-                  const std::string& type) {
-    const std::size_t offset = binary.size();
-    binary += bytes_of(values);
-    root["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", binary.size() - offset}});
-    root["accessors"].push_back({{"bufferView", root["bufferViews"].size() - 1},
-                                 {"componentType", component},
-                                 {"count", count},
-                                 {"type", type}});
-    return root["accessors"].size() - 1;
-  }
-
-  json& primitive() { return root["meshes"][0]["primitives"][0]; }
-  // By the attribute, or "indices".
-  json& accessor(const std::string& name) {
-    const json& from = name == "indices" ? primitive() : primitive()["attributes"];
-    return root["accessors"][from[name].get<std::size_t>()];
-  }
-  json& view(const std::string& name) {
-    return root["bufferViews"][accessor(name)["bufferView"].get<std::size_t>()];
-  }
-};
+using testing::TinyHand;
 
 using Spoil = std::function<void(TinyHand&)>;
 
@@ -147,32 +90,36 @@ TEST(SceneFile, AContainerSaysItsTrueLengths) {
 TEST(SceneFile, RefusesAGlbWhosePartsAreNotWhereItSays) {
   EXPECT_EQ(refusal_of([](TinyHand&) {}), "accepted");
   const std::vector<std::pair<Spoil, std::string>> spoils = {
-      {[](TinyHand& h) { h.accessor("POSITION")["count"] = 5; }, "accessors[0].count"},
-      {[](TinyHand& h) { h.accessor("POSITION")["byteOffset"] = 4; }, "accessors[0].count"},
+      {[](TinyHand& h) { h.accessor("POSITION")["count"] = 5; }, "at most 4 elements"},
+      {[](TinyHand& h) { h.accessor("POSITION")["byteOffset"] = 4; }, "at most 3 elements"},
       {[](TinyHand& h) { h.accessor("POSITION")["byteOffset"] = -4; }, "accessors[0].byteOffset"},
-      {[](TinyHand& h) { h.accessor("POSITION")["componentType"] = 5123; }, "componentType"},
+      {[](TinyHand& h) { h.accessor("POSITION")["componentType"] = 5125; }, "componentType"},
       {[](TinyHand& h) { h.accessor("POSITION")["bufferView"] = 9; }, "accessors[0].bufferView"},
       {[](TinyHand& h) { h.accessor("POSITION").erase("bufferView"); }, "accessors[0].bufferView"},
       {[](TinyHand& h) {
          h.accessor("POSITION")["sparse"] = {{"count", 1}};
        },
-       "sparse"},
+       "sparse.indices"},
       {[](TinyHand& h) { h.view("POSITION")["byteStride"] = 8; }, "a stride of 12"},
-      {[](TinyHand& h) { h.view("POSITION")["byteStride"] = 16; }, "accessors[0].count"},
+      {[](TinyHand& h) { h.view("POSITION")["byteStride"] = 16; }, "at most 3 elements"},
       {[](TinyHand& h) { h.view("POSITION")["byteLength"] = 1000; }, "bufferViews[0].byteLength"},
       {[](TinyHand& h) { h.view("POSITION")["byteOffset"] = -1ULL; }, "bufferViews[0].byteOffset"},
-      {[](TinyHand& h) { h.view("POSITION")["buffer"] = 1; }, "the file's own"},
+      {[](TinyHand& h) { h.view("POSITION")["buffer"] = 1; }, "bufferViews[0].buffer"},
       {[](TinyHand& h) { h.binary.resize(8); }, "byteLength"},
       {[](TinyHand& h) { h.accessor("JOINTS_0")["count"] = 3; }, "each of 4 vertices"},
       {[](TinyHand& h) { h.primitive()["attributes"].erase("WEIGHTS_0"); }, "WEIGHTS_0"},
       {[](TinyHand& h) { h.primitive()["attributes"].erase("POSITION"); }, "POSITION"},
       {[](TinyHand& h) { h.accessor("indices")["count"] = 2; }, "a triangle"},
       {[](TinyHand& h) { h.binary[h.view("indices")["byteOffset"]] = 4; }, "vertices below 4"},
-      {[](TinyHand& h) { h.root["skins"][0].erase("inverseBindMatrices"); }, "inverseBindMatrices"},
+      {[](TinyHand& h) {
+         h.root["skins"][0]["joints"] = {1, 2, 0};
+       },
+       "each of 3 joints"},
       {[](TinyHand& h) {
          h.root["skins"][0]["joints"] = {1, 2, 1};
        },
-       "each of 3 joints"},
+       "no joint of the skin yet"},
+      {[](TinyHand& h) { h.root["skins"][0]["joints"] = {1}; }, "2 joints or more"},
       {[](TinyHand& h) {
          h.root["skins"][0]["joints"] = {1, 3};
        },
@@ -226,9 +173,10 @@ TEST(SceneFile, RefusesAGlbThatSaysLittleAndMeansMuch) {
   EXPECT_THAT(refusal_of(chain), HasSubstr("512 nodes deep"));
   // 100,000 nodes that each show the mesh of 100 primitives.
   const Spoil many = [](TinyHand& h) {
+    h.root["nodes"][0].erase("skin");
     for (int i = 1; i < 100; ++i) h.root["meshes"][0]["primitives"].push_back(h.primitive());
     for (std::size_t node = 3; node < 100000; ++node) {
-      h.root["nodes"].push_back({{"mesh", 0}, {"skin", 0}});
+      h.root["nodes"].push_back({{"mesh", 0}});
       h.root["scenes"][0]["nodes"].push_back(node);
     }
   };
@@ -257,7 +205,8 @@ TEST(SceneFile, DoesNotMindWhatItDoesNotUse) {
     h.primitive()["material"] = 0;
     h.primitive()["attributes"]["TEXCOORD_0"] = 5;
     h.root["meshes"][0]["primitives"].push_back({{"mode", 1}});
-    h.root["buffers"] = {{{"byteLength", h.binary.size()}, {"uri", "elsewhere.bin"}}};
+    h.root["buffers"] = {{{"byteLength", h.binary.size()}},
+                         {{"byteLength", 7}, {"uri", "elsewhere.bin"}}};
   };
   EXPECT_EQ(refusal_of(spoil), "accepted");
 }

@@ -9,8 +9,12 @@
 
 namespace graspdb {
 
-// The whole file as text. Throws Error when it cannot be read.
+// The whole file as text. Throws Error when it cannot be read, and as require_fetched() does.
 std::string read_text(const std::filesystem::path& path);
+
+// Throws Error that says what to do when the file is a Git LFS pointer, which a clone without Git
+// LFS leaves in place of a large file. For files that read_text() does not read.
+void require_fetched(const std::filesystem::path& path);
 
 // A file that appears under its name only when it is complete: bytes go to a sibling temporary
 // file, which commit() flushes to the disk and renames. Destroyed without commit() it leaves

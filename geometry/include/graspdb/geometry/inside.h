@@ -37,6 +37,7 @@ class InsideTest {
 
   const Mesh& mesh_;
   Eigen::Vector2d low_;
+  double cell_size_ = 0;
   int columns_ = 0;
   int rows_ = 0;
   std::vector<std::vector<std::uint32_t>> cells_;  // triangles by their shadow on the xy plane

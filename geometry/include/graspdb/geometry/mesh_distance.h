@@ -30,10 +30,9 @@ class MeshDistance {
                   double bound = std::numeric_limits<double>::infinity()) const;
 
  private:
-  struct Normals {
-    Eigen::Vector3d face;
-    std::array<Eigen::Vector3d, 3> edges;  // from corner i to the next one
-    std::array<Eigen::Vector3d, 3> corners;
+  struct Surroundings {
+    Triangle vertices;
+    std::array<std::uint32_t, 3> neighbors;  // the triangle beyond the side from corner i on
   };
   // An inner node has its two halves at `first` and `first + 1`, a leaf (`count` > 0) its
   // triangles.
@@ -42,12 +41,15 @@ class MeshDistance {
     std::uint32_t first = 0, count = 0;
   };
 
-  std::vector<Normals> normals_of(const Mesh& mesh) const;
+  // `places` are those of the mesh's triangles in the tree.
+  void find_surroundings(const Mesh& mesh, std::span<const std::uint32_t> places);
   void split(std::uint32_t node, std::uint32_t begin, std::span<std::uint32_t> part);
-  const Eigen::Vector3d& normal(std::uint32_t triangle, NearestOnTriangle::Part part) const;
+  Eigen::Vector3d face_normal(std::uint32_t triangle) const;
+  Eigen::Vector3d normal(std::uint32_t triangle, NearestOnTriangle::Part part) const;
 
   std::vector<Corners> triangles_;
-  std::vector<Normals> normals_;  // apart: a search looks at many corners and one normal
+  std::vector<Surroundings> surroundings_;  // apart: a search looks at many corners and one normal
+  std::vector<Eigen::Vector3d> vertex_normals_;
   std::vector<Node> nodes_;
 };
 

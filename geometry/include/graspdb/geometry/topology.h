@@ -34,6 +34,9 @@ struct EdgeCounts {
 };
 EdgeCounts count_edges(std::span<const Triangle> triangles);
 
+// How many triangles have the three corners of one before them, in whatever order.
+std::size_t count_repeated(std::span<const Triangle> triangles);
+
 // Whether every edge has two triangles, so that they enclose a volume.
 bool is_closed(std::span<const Triangle> triangles);
 
