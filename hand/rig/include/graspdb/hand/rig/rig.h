@@ -24,7 +24,8 @@ namespace graspdb {
 //                    digit that is absent ends where its last bone leaves the skin.
 //   [forearm]        split_at_mm, split_width_mm: needed when no bone is the forearm. Skin beyond
 //                    the wrist is then its own: half at the one, smoothly within the other.
-//                    extend_mm: how much forearm is grown from the mesh's end, a cap or a loop
+//                    extend_mm: how much forearm is grown from the mesh's end, a cap or a loop;
+//                    a loop anywhere else is refused
 //   [corrections]    index_proximal_mm, ...: how far a bone's joint is moved towards its far end;
 //                    index_roll_deg, ...: how far a finger's back faces the thumb's side at rest,
 //                    beyond what the joints tell
