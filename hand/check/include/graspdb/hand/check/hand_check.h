@@ -43,7 +43,8 @@ struct AskedSize {
 //   open edges             edges that do not have exactly two triangles
 //   pinched vertices       vertices whose triangles form more than one fan
 //   turned edges           edges that both their triangles pass in the same direction
-//   Euler number           vertices - edges + triangles, of one closed piece without handles 2
+//   Euler number           vertices - edges + triangles, of one closed piece without handles 2;
+//                          `why` names the pieces apart from the largest
 //   volume                 enclosed in the bind pose
 //   triangle quality       the least 4 sqrt(3) area / (sum of squared sides): 1 for equal sides
 //   longest edge           outside the forearm's cap: triangles within 3 mm of the skin's far end

@@ -34,10 +34,11 @@ namespace graspdb {
 std::filesystem::path rig_map_beside(const std::filesystem::path& hand_file);
 
 // Reads mesh, weights and joint positions from `hand_file`, and everything else that a hand is
-// (frames, zero pose) from the joint positions and the rig map; the file's own bone axes and
-// hierarchy are ignored. Vertices that a file repeats along seams become one. A left hand is
-// mirrored into a right one. Throws Error naming the files and the bone or key; and for a
-// handedness that the signs of palm_side.h do not bear out, naming them.
+// (frames, zero pose) from the joint positions and the rig map; the file's own bone axes are
+// ignored. Vertices that a file repeats along seams become one. A mesh without skin moves with the
+// bone that it hangs from. A left hand is mirrored into a right one. Throws Error naming the files
+// and the bone or key; and for a handedness that the signs of palm_side.h do not bear out, naming
+// them.
 Hand load_hand(const std::filesystem::path& hand_file, const std::filesystem::path& rig_map);
 Hand load_hand(const std::filesystem::path& hand_file);
 
