@@ -66,7 +66,8 @@ std::string processor_kind() {
 }
 
 std::string hand_hash(const std::filesystem::path& file) {
-  return hash_hex(read_text(file) + read_text(rig_map_beside(file)));
+  const std::string hand = read_text(file);  // first: without a hand nobody misses its map
+  return hash_hex(hand + read_text(rig_map_beside(file)));
 }
 
 void expect_hash(const std::filesystem::path& file, const std::string& expected,

@@ -10,6 +10,7 @@
 #include "poses.h"
 #include "reach.h"
 #include "size.h"
+#include "stated.h"
 #include "surface.h"
 
 namespace graspdb {
@@ -66,7 +67,7 @@ std::vector<HandCheckLine> check_hand(const Hand& hand, const std::optional<Aske
   std::vector<HandCheckLine> lines;
   for (const std::vector<HandCheckLine>& part :
        {check_surface(hand), check_inverted(hand), check_poses(hand), check_reach(hand),
-        check_size(hand, asked), check_angles(hand)}) {
+        check_size(hand, asked), check_angles(hand), check_stated(hand)}) {
     lines.insert(lines.end(), part.begin(), part.end());
   }
   return lines;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 
 #include "graspdb/geometry/topology.h"
 #include "graspdb/geometry/triangle.h"
@@ -50,6 +52,42 @@ VertexCounts count_vertices(const Mesh& mesh) {
     counts.pinched += !is_one_fan(fan);
   }
   return counts;
+}
+
+// Numbers of vertices that hang together, each named by one of them.
+class Pieces {
+ public:
+  explicit Pieces(const Mesh& mesh) : above_(mesh.vertices.size()) {
+    std::iota(above_.begin(), above_.end(), 0);
+    for (const Triangle& t : mesh.triangles) {
+      above_[of(t[1])] = of(t[0]);
+      above_[of(t[2])] = of(t[0]);
+    }
+  }
+
+  std::uint32_t of(std::uint32_t v) {
+    while (above_[v] != v) v = above_[v] = above_[above_[v]];
+    return v;
+  }
+
+ private:
+  std::vector<std::uint32_t> above_;
+};
+
+// All pieces but the largest, each with a bone that moves it; empty when there is one.
+std::string other_pieces(const Hand& hand) {
+  Pieces pieces(hand.bind_mesh);
+  std::map<std::uint32_t, std::size_t> sizes;
+  for (const Triangle& t : hand.bind_mesh.triangles) ++sizes[pieces.of(t[0])];
+  const auto largest = std::ranges::max_element(sizes, {}, [](const auto& p) { return p.second; });
+  const std::vector<std::uint8_t> bones = strongest_bones(hand);
+  std::string others;
+  for (auto piece = sizes.begin(); piece != sizes.end(); ++piece) {
+    if (piece == largest) continue;
+    others += fmt::format("{}{} triangles on {}", others.empty() ? "apart: " : ", ", piece->second,
+                          bone_name(bones[piece->first]));
+  }
+  return others;
 }
 
 // Tells the triangles at the forearm's end from all others.
@@ -104,7 +142,7 @@ std::vector<HandCheckLine> check_surface(const Hand& hand) {
       judged("turned edges", number(edges.turned), "", exactly(0)),
       judged("Euler number",
              number(vertices.used) - number(edges.all) + number(mesh.triangles.size()), "",
-             exactly(2)),
+             exactly(2), other_pieces(hand)),
       open == 0 ? judged("volume", 1e6 * volume_of(mesh), "cm3", above(0))
                 : not_applicable("volume", "cm3", above(0), "the surface is open")};
   add_triangle_lines(hand, lines);

@@ -11,6 +11,7 @@
 #include "graspdb/core/error.h"
 #include "graspdb/geometry/topology.h"
 #include "graspdb/geometry/triangle.h"
+#include "rim.h"
 #include "subdivide.h"
 
 namespace graspdb {
@@ -147,12 +148,11 @@ std::vector<std::uint32_t> refine(const std::vector<std::uint32_t>& loop, RigSki
 class Extension {
  public:
   Extension(std::vector<std::uint32_t> loop, const Vector3d& elbow, double length, RigSkin& skin)
-      : loop_(std::move(loop)), elbow_(elbow), length_(length), skin_(skin) {
-    for (const std::uint32_t v : loop_) center_ += place(v) / static_cast<double>(loop_.size());
-    for (const std::uint32_t v : loop_) {
-      radius_ += across(v).norm() / static_cast<double>(loop_.size());
-    }
-  }
+      : loop_(std::move(loop)),
+        elbow_(elbow),
+        length_(length),
+        skin_(skin),
+        rim_(loop_, elbow, skin.mesh) {}
 
   void build() {
     const int rings = std::max(1, static_cast<int>(std::lround(length_ / kRingSpacingM)));
@@ -173,11 +173,6 @@ class Extension {
 
   Vector3d place(std::uint32_t v) const { return skin_.mesh.vertices[v].cast<double>(); }
 
-  Vector3d across(std::uint32_t v) const {
-    const Vector3d from_center = place(v) - center_;
-    return from_center - elbow_ * elbow_.dot(from_center);
-  }
-
   std::uint32_t add_vertex(const Vector3d& position, std::uint32_t like) {
     skin_.mesh.vertices.push_back(position.cast<float>());
     skin_.mesh.normals.push_back(elbow_.cast<float>());
@@ -188,12 +183,13 @@ class Extension {
 
   // The loop may lie aslant: by the last ring it stands straight.
   std::vector<std::uint32_t> add_ring(const std::vector<std::uint32_t>& before, double progress) {
-    const double width = 1 + kWideningShare * length_ * progress / radius_;
+    const double width = 1 + kWideningShare * length_ * progress / rim_.radius();
     std::vector<std::uint32_t> ring;
     for (const std::uint32_t v : loop_) {
-      const double slant = elbow_.dot(place(v) - center_);
+      const double slant = elbow_.dot(place(v) - rim_.center());
       const double beyond = slant + (length_ - slant) * progress;
-      ring.push_back(add_vertex(center_ + across(v) * width + elbow_ * beyond, v));
+      ring.push_back(
+          add_vertex(rim_.center() + rim_.across(place(v)) * width + elbow_ * beyond, v));
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::uint32_t next_before = following(before, i), next = following(ring, i);
@@ -204,7 +200,7 @@ class Extension {
   }
 
   void close(const std::vector<std::uint32_t>& ring) {
-    const std::uint32_t center = add_vertex(center_ + elbow_ * length_, ring.front());
+    const std::uint32_t center = add_vertex(rim_.center() + elbow_ * length_, ring.front());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       skin_.mesh.triangles.push_back({following(ring, i), ring[i], center});
     }
@@ -214,9 +210,8 @@ class Extension {
   Vector3d elbow_;
   double length_;
   RigSkin& skin_;
+  Rim rim_;
   std::size_t old_vertices_ = skin_.mesh.vertices.size();
-  Vector3d center_ = Vector3d::Zero();
-  double radius_ = 0;
 };
 
 }  // namespace
@@ -227,6 +222,7 @@ std::optional<std::string> open_end(const Vector3d& elbow, RigSkin& skin) {
   const auto edges = open_edges(triangles);
   const std::vector<std::uint32_t> loop = single_loop(edges);
   if (loop.empty()) return fmt::format("{} open edges that are not", edges.size());
+  if (auto fault = fault_of_rim(loop, elbow, triangles, skin)) return fault;
   skin.mesh.triangles = std::move(triangles);
   smooth_normals(loop, skin.mesh);  // they leant over the cap
   remove_unused_vertices(skin);

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "forearm.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/hand/witness/palm_side.h"
 #include "rebind.h"
 #include "rest_frames.h"
 #include "rig_fault.h"
@@ -38,12 +41,23 @@ void check(const RestFrames& frames, const RigMap& map, const RigFile& file) {
     fail(map, file, "bones.index_proximal", "the index on the thumb's side",
          "the little finger there");
   }
-  // In a mirrored hand what is taken for the palm is its back: thumb and fingers bend away.
-  const Keypoints rest = keypoints_in_hand(frames.skeleton, frames.hand_from_bone);
-  if (!(rest(2, 4) + rest(2, 8) + rest(2, 12) + rest(2, 16) + rest(2, 20) < 0)) {
-    fail(map, file, "handedness", map.is_left ? "a left hand" : "a right hand",
-         "digits that bend to the back of such a hand");
+}
+
+// In a mirrored hand what is taken for the palm is its back: thumb and fingers would bend away.
+void check_handedness(const Hand& hand, const RigMap& map, const RigFile& file) {
+  using enum PalmWitness::Verdict;
+  const std::vector<PalmWitness> witnesses = palm_witnesses(hand);
+  const auto number = [&](PalmWitness::Verdict verdict) {
+    return std::ranges::count(witnesses, verdict, &PalmWitness::verdict);
+  };
+  if (number(kContradicts) == 0 || number(kAgrees) > number(kContradicts)) return;
+  const char* const stated = map.is_left ? "a left" : "a right";
+  const char* const other = map.is_left ? "a right" : "a left";
+  std::string signs = fmt::format("signs of {} one ({})", other, seen_by(witnesses, kContradicts));
+  if (number(kAgrees) > 0) {
+    signs += fmt::format(" and of {} one ({})", stated, seen_by(witnesses, kAgrees));
   }
+  fail(map, file, "handedness", fmt::format("{} hand", stated), signs);
 }
 
 RigSkin skin_with_forearm(const RigMap& map, const RigFile& file, const RestFrames& frames) {
@@ -80,6 +94,7 @@ Hand load_hand(const std::filesystem::path& hand_file, const std::filesystem::pa
             .bind_mesh = std::move(skin.mesh),
             .weights = four_largest(skin.weights),
             .hand_from_bone_at_bind = frames.hand_from_bone};
+  check_handedness(hand, map, file);
   return map.bind_half_bent ? bound_half_bent(std::move(hand)) : hand;
 }
 

@@ -37,8 +37,9 @@ class SceneReader {
 
   RigFile read() {
     collect_poses(*scene_.mRootNode, Eigen::Matrix4d::Identity());
-    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) add_mesh(*scene_.mMeshes[i]);
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) add_skin(*scene_.mMeshes[i]);
     if (file_.mesh.triangles.empty()) throw Error({file_.path, "", "a skinned mesh", "none"});
+    add_parts(*scene_.mRootNode, Eigen::Matrix4d::Identity(), "");
     for (Eigen::Vector3f& normal : file_.mesh.normals) normal.normalize();
     return std::move(file_);
   }
@@ -54,38 +55,77 @@ class SceneReader {
     }
   }
 
-  void add_mesh(const aiMesh& mesh) {
+  void add_skin(const aiMesh& mesh) {
     if (mesh.mNumBones == 0 || !mesh.HasNormals()) return;  // points and lines have none
-    std::vector<std::uint32_t> merged;
-    std::vector<bool> is_mirrored;
-    for (Corner& corner : read_corners(mesh)) {
-      is_mirrored.push_back(corner.is_mirrored);
-      merged.push_back(add_corner(std::move(corner)));
+    add_triangles(triangles_of(mesh), skin_corners(mesh));
+  }
+
+  // Meshes without skin, a nail or a ring: each moves as a whole with the bone of the skin that it
+  // hangs from.
+  void add_parts(const aiNode& node, const Eigen::Matrix4d& file_from_parent, std::string bone) {
+    const Eigen::Matrix4d file_from_node = file_from_parent * to_eigen(node.mTransformation);
+    const std::string name = node.mName.C_Str();
+    if (std::ranges::find(file_.bones, name) != file_.bones.end()) bone = name;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[i]];
+      if (mesh.mNumBones > 0 || !mesh.HasNormals()) continue;
+      if (bone.empty()) {
+        throw Error(
+            {file_.path, name, "a mesh that is skin, or hangs from a bone of the skin", "neither"});
+      }
+      add_part(mesh, file_from_node, bone);
     }
-    for (const Triangle& corners : triangles_of(mesh)) {
-      Triangle t = {merged[corners[0]], merged[corners[1]], merged[corners[2]]};
-      if (is_mirrored[corners[0]]) std::swap(t[1], t[2]);
-      if (has_three_corners(t)) file_.mesh.triangles.push_back(t);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      add_parts(*node.mChildren[i], file_from_node, bone);
     }
   }
 
-  std::vector<Corner> read_corners(const aiMesh& mesh) {
+  void add_part(const aiMesh& mesh, const Eigen::Matrix4d& file_from_mesh,
+                const std::string& bone) {
+    std::vector<Corner> corners(mesh.mNumVertices);
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      corners[v].shares = {{bone_index(bone), 1}};
+      place(mesh, v, file_from_mesh.topRows<3>(), corners[v]);
+    }
+    add_triangles(triangles_of(mesh), std::move(corners));
+  }
+
+  void add_triangles(const std::vector<Triangle>& triangles, std::vector<Corner> corners) {
+    std::vector<std::uint32_t> merged;
+    std::vector<bool> is_mirrored;
+    for (Corner& corner : corners) {
+      is_mirrored.push_back(corner.is_mirrored);
+      merged.push_back(add_corner(std::move(corner)));
+    }
+    for (const Triangle& t : triangles) {
+      Triangle welded = {merged[t[0]], merged[t[1]], merged[t[2]]};
+      if (is_mirrored[t[0]]) std::swap(welded[1], welded[2]);
+      if (has_three_corners(welded)) file_.mesh.triangles.push_back(welded);
+    }
+  }
+
+  std::vector<Corner> skin_corners(const aiMesh& mesh) {
     std::vector<Corner> corners(mesh.mNumVertices);
     std::vector<Eigen::Matrix<double, 3, 4>> blends(mesh.mNumVertices,
                                                     Eigen::Matrix<double, 3, 4>::Zero());
     for (unsigned b = 0; b < mesh.mNumBones; ++b) add_bone(*mesh.mBones[b], corners, blends);
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       normalize(v, corners[v].shares, blends[v]);
-      corners[v].position =
-          (blends[v] * to_eigen(mesh.mVertices[v]).cast<double>().homogeneous()).cast<float>();
-      corners[v].is_mirrored = blends[v].leftCols<3>().determinant() < 0;
-      if (!corners[v].position.allFinite()) fail(v, "a place", "no number");
-      corners[v].normal =
-          (blends[v].leftCols<3>() * to_eigen(mesh.mNormals[v]).cast<double>()).cast<float>();
-      if (!corners[v].normal.allFinite()) fail(v, "a normal", "no number");
-      corners[v].albedo = mesh.HasVertexColors(0) ? gray(mesh.mColors[0][v]) : 1;
+      place(mesh, v, blends[v], corners[v]);
     }
     return corners;
+  }
+
+  void place(const aiMesh& mesh, unsigned v, const Eigen::Matrix<double, 3, 4>& file_from_mesh,
+             Corner& corner) const {
+    corner.position =
+        (file_from_mesh * to_eigen(mesh.mVertices[v]).cast<double>().homogeneous()).cast<float>();
+    if (!corner.position.allFinite()) fail(v, "a place", "no number");
+    corner.is_mirrored = file_from_mesh.leftCols<3>().determinant() < 0;
+    corner.normal =
+        (file_from_mesh.leftCols<3>() * to_eigen(mesh.mNormals[v]).cast<double>()).cast<float>();
+    if (!corner.normal.allFinite()) fail(v, "a normal", "no number");
+    corner.albedo = mesh.HasVertexColors(0) ? gray(mesh.mColors[0][v]) : 1;
   }
 
   // `blends` takes each vertex from the mesh to the rest pose.

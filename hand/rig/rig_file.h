@@ -23,12 +23,13 @@ struct RigFile {
   std::string path;
   std::map<std::string, Eigen::Vector3d, std::less<>> joints;  // where every node lies
   std::vector<std::string> bones;                              // the nodes that can move skin
-  // The skin of all its meshes; vertices that the file splits along seams are one.
+  // The skin of all its meshes, and the meshes without skin that hang from a bone; vertices that
+  // the file splits along seams are one.
   Mesh mesh;
   std::vector<std::vector<BoneShare>> shares;  // one a vertex
 };
 
-// Reads what assimp reads. Throws Error when the file is unreadable, holds no skin, or holds skin
+// Reads what assimp reads. Throws Error when the file is unreadable, holds no skin, or holds a mesh
 // that no bone moves.
 RigFile read_rig_file(const std::filesystem::path& path);
 

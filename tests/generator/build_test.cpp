@@ -117,7 +117,8 @@ TEST_F(Build, BadInputIsNamedAndLeavesNothing) {
     return "no error";
   };
   EXPECT_THAT(message([](BuildConfig& c) { c.only = {77}; }), HasSubstr("grasp 77"));
-  EXPECT_THAT(message([](BuildConfig& c) { c.hands = {"/nowhere.glb"}; }), HasSubstr("/nowhere"));
+  EXPECT_THAT(message([](BuildConfig& c) { c.hands = {"/nowhere.glb"}; }),
+              HasSubstr("/nowhere.glb"));
   EXPECT_THAT(message([](BuildConfig& c) { c.views = 0; }), HasSubstr("views"));
   EXPECT_THAT(message([](BuildConfig& c) { c.grasps = "/nowhere"; }), HasSubstr("/nowhere"));
   EXPECT_TRUE(std::filesystem::is_empty(directory_.path()));

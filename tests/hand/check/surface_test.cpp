@@ -29,6 +29,23 @@ TEST(HandCheckSurface, AHoleIsOpenAndEnclosesNothing) {
   }
 }
 
+TEST(HandCheckSurface, APieceApartIsNamed) {
+  Hand hand = male();
+  const auto first = static_cast<std::uint32_t>(hand.bind_mesh.vertices.size());
+  for (const Triangle& t : {Triangle{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+    hand.bind_mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  for (const Eigen::Vector3f& corner :
+       {Eigen::Vector3f(0, 0, .1F), {.01F, 0, .1F}, {0, .01F, .1F}, {0, 0, .11F}}) {
+    hand.bind_mesh.vertices.push_back(corner);
+    hand.bind_mesh.normals.push_back(Eigen::Vector3f::UnitZ());
+    hand.weights.push_back(only(kThumbDistal));
+  }
+  const Lines lines = check_surface(hand);
+  expect_pass(lines, "open edges");
+  expect_fail(lines, "Euler number", "apart: 4 triangles on thumb_distal");
+}
+
 TEST(HandCheckSurface, ATriangleTooManyBranches) {
   Hand hand = male();
   hand.bind_mesh.triangles.push_back(hand.bind_mesh.triangles.front());

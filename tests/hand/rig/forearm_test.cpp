@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "forearm.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
+#include "glb_edit.h"
 #include "graspdb/core/transform.h"
+#include "rig_file.h"
 #include "support/closed_surface.h"
 
 namespace graspdb {
@@ -109,6 +113,69 @@ TEST(Forearm, AnEndWithTwoHolesIsRefusedAndStaysAsItIs) {
   EXPECT_TRUE(open_end(kElbow, skin).has_value());
   EXPECT_TRUE(skin.mesh.triangles == before.triangles);
   EXPECT_TRUE(skin.mesh.vertices == before.vertices);
+}
+
+// Closed at both ends, but for one triangle.
+RigSkin with_hole(std::size_t triangle, int bone = kPalm) {
+  RigSkin skin = capped(tube(0));
+  skin.mesh.triangles.erase(skin.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(triangle));
+  PerBone<double> weights{};
+  weights[static_cast<std::size_t>(bone)] = 1;
+  skin.weights.assign(skin.mesh.vertices.size(), weights);
+  return skin;
+}
+
+TEST(Forearm, AHoleElsewhereIsNotItsEnd) {
+  constexpr std::size_t kSide = 3, kTip = 8 * kSides + 1, kCap = 9 * kSides + 1;
+  for (const std::size_t hole : {kSide, kTip, kCap}) {
+    RigSkin skin = with_hole(hole);
+    const Mesh before = skin.mesh;
+    EXPECT_THAT(open_end(kElbow, skin).value_or("accepted"),
+                ::testing::HasSubstr("an open loop of 3 edges on palm"))
+        << hole;
+    EXPECT_TRUE(skin.mesh.triangles == before.triangles);
+  }
+}
+
+TEST(Forearm, AnEndThatAFingerMovesIsNone) {
+  RigSkin skin = tube(0);
+  PerBone<double> finger{};
+  finger[finger_bone(0, kDistal)] = 1;
+  skin.weights.assign(skin.mesh.vertices.size(), finger);
+  EXPECT_THAT(open_end(kElbow, skin).value_or("accepted"),
+              ::testing::HasSubstr("16 edges on index_distal"));
+}
+
+TEST(Forearm, AnEndBeforeTheWristOrBesideItsAxisIsNone) {
+  for (const Eigen::Vector3f& by : {Eigen::Vector3f(0, .03F, 0), Eigen::Vector3f(.03F, 0, 0)}) {
+    RigSkin skin = tube(0);
+    for (Eigen::Vector3f& v : skin.mesh.vertices) v += by;
+    EXPECT_TRUE(open_end(kElbow, skin).has_value()) << by.transpose();
+  }
+}
+
+// The file that taught this: closed but for one triangle of the index fingertip.
+TEST(Forearm, DoesNotGrowOutOfAFingertip) {
+  testing::GlbEdit file;
+  const RigFile male = read_rig_file(testing::kMale);
+  const Eigen::Vector3f tip = male.joints.at("index_tip").cast<float>();
+  const auto distance = [&](const Triangle& t) { return (male.mesh.vertices[t[0]] - tip).norm(); };
+  const auto nearest = std::ranges::min_element(male.mesh.triangles, {}, distance);
+  const auto number = static_cast<std::size_t>(nearest - male.mesh.triangles.begin());
+  const std::size_t indices = file.json["meshes"][0]["primitives"][0]["indices"];
+  const nlohmann::json& accessor = file.json["accessors"][indices];
+  const std::size_t size = accessor["componentType"] == 5125 ? 4 : 2;
+  const std::size_t view = accessor["bufferView"];
+  const std::size_t from = file.json["bufferViews"][view].value("byteOffset", std::size_t{0});
+  const std::size_t corner = from + 3 * size * number;
+  file.binary.replace(corner, size, file.binary, corner + size, size);  // a corner twice: no area
+  EXPECT_EQ(file.refusal(), "accepted");
+  const std::string map =
+      read_text(rig_map_beside(testing::kMale)) + "[forearm]\nextend_mm = 100\n";
+  EXPECT_THAT(file.refusal(map),
+              AllOf(::testing::HasSubstr("forearm.extend_mm"),
+                    ::testing::HasSubstr("an open loop of 3 edges on index_distal")));
+  EXPECT_EQ(testing::refusal_of(map), "accepted");
 }
 
 TEST(Forearm, SplitGivesHalfAtTheGivenPlaceAndAllBeyond) {

@@ -43,7 +43,8 @@ struct AskedSize {
 //   open edges             edges that do not have exactly two triangles
 //   pinched vertices       vertices whose triangles form more than one fan
 //   turned edges           edges that both their triangles pass in the same direction
-//   Euler number           vertices - edges + triangles, of one closed piece without handles 2
+//   Euler number           vertices - edges + triangles, of one closed piece without handles 2;
+//                          `why` names the pieces apart from the largest
 //   volume                 enclosed in the bind pose
 //   triangle quality       the least 4 sqrt(3) area / (sum of squared sides): 1 for equal sides
 //   longest edge           outside the forearm's cap: triangles within 3 mm of the skin's far end
@@ -80,6 +81,13 @@ struct AskedSize {
 //                          ulnar), radial for abduction and deviation, palmar for the thumb's
 //                          abduction; for its axial angle, of the way the pulp turns: dorsal, to
 //                          the fingers, from 45 degrees of abduction. At a right angle to the lever
+//   palm side              how many of the signs of palm_side.h say that the palm is the back
+//   nail                   a digit's end is flat on its nail and on its pulp: between the axis that
+//                          most of its skin faces along, seen along the bone, and its frame's
+//                          dorsal, 0..90 degrees. Not applicable to an end that is round. It does
+//                          not tell the nail from the pulp: `direction` does
+//   tips on the skin       how far a digit's tip lies from the skin of its last bone, or how much
+//                          of that skin lies beyond it, along the bone
 //
 // Pure, deterministic and thread-safe; a fraction of a second for 10,000 triangles.
 std::vector<HandCheckLine> check_hand(const Hand& hand,

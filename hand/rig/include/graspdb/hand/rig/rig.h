@@ -24,7 +24,8 @@ namespace graspdb {
 //                    digit that is absent ends where its last bone leaves the skin.
 //   [forearm]        split_at_mm, split_width_mm: needed when no bone is the forearm. Skin beyond
 //                    the wrist is then its own: half at the one, smoothly within the other.
-//                    extend_mm: how much forearm is grown from the mesh's end, a cap or a loop
+//                    extend_mm: how much forearm is grown from the mesh's end, a cap or a loop;
+//                    a loop anywhere else is refused
 //   [corrections]    index_proximal_mm, ...: how far a bone's joint is moved towards its far end;
 //                    index_roll_deg, ...: how far a finger's back faces the thumb's side at rest,
 //                    beyond what the joints tell
@@ -33,9 +34,11 @@ namespace graspdb {
 std::filesystem::path rig_map_beside(const std::filesystem::path& hand_file);
 
 // Reads mesh, weights and joint positions from `hand_file`, and everything else that a hand is
-// (frames, zero pose) from the joint positions and the rig map; the file's own bone axes and
-// hierarchy are ignored. Vertices that a file repeats along seams become one. A left hand is
-// mirrored into a right one. Throws Error naming the files and the bone or key.
+// (frames, zero pose) from the joint positions and the rig map; the file's own bone axes are
+// ignored. Vertices that a file repeats along seams become one. A mesh without skin moves with the
+// bone that it hangs from. A left hand is mirrored into a right one. Throws Error naming the files
+// and the bone or key; and for a handedness that the signs of palm_side.h do not bear out, naming
+// them.
 Hand load_hand(const std::filesystem::path& hand_file, const std::filesystem::path& rig_map);
 Hand load_hand(const std::filesystem::path& hand_file);
 
