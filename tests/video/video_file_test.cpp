@@ -56,19 +56,19 @@ TEST_F(VideoFile, FramesAreTurnedAndMirroredAsTheDisplayMatrixSays) {
   write_video(path("stored.mp4"), 3);
   struct Turn {
     int a, b, c, d;
-    const char* corners;
+    std::string corners;
   };
-  for (const auto& [a, b, c, d, corners] :
+  for (const Turn& turn :
        {Turn{0, 1, -1, 0, "brwg"}, Turn{-1, 0, 0, -1, "wbgr"}, Turn{0, -1, 1, 0, "gwrb"},
         Turn{-1, 0, 0, 1, "grwb"}, Turn{1, 0, 0, -1, "bwrg"}, Turn{0, 1, 1, 0, "rbgw"},
         Turn{0, -1, -1, 0, "wgbr"}, Turn{1, 0, 0, 1, "rgbw"}}) {
     write_again(path("stored.mp4"), path("turned.mp4"),
-                {.stream = [&](AVStream& stream) { set_matrix(stream, a, b, c, d); }});
+                {.stream = [&](AVStream& s) { set_matrix(s, turn.a, turn.b, turn.c, turn.d); }});
     const Shown video = shown(path("turned.mp4"));
     ASSERT_EQ(video.frames.size(), 3u);
-    for (const InputFrame& frame : video.frames) EXPECT_EQ(corners_of(frame.color), corners);
-    EXPECT_EQ(video.frames[0].color.width(), b == 0 ? 64 : 32);
-    EXPECT_EQ(video.frames[0].notes.empty(), std::string(corners) == "rgbw");
+    for (const InputFrame& frame : video.frames) EXPECT_EQ(corners_of(frame.color), turn.corners);
+    EXPECT_EQ(video.frames[0].color.width(), turn.b == 0 ? 64 : 32);
+    EXPECT_EQ(video.frames[0].notes.empty(), turn.corners == "rgbw");
     EXPECT_THAT(video.frames[1].notes, IsEmpty());  // said once
   }
 }
