@@ -17,12 +17,16 @@ bool matches(const std::string& pattern, const fs::path& path) {
   return ::fnmatch(pattern.c_str(), path.c_str(), FNM_PATHNAME) == 0;
 }
 
-// What killed writers leave beside a file is part of the result, too.
+// What killed writers leave beside a file.
+bool is_leftover(const std::string& pattern, const fs::path& path) {
+  return matches(pattern + ".*.tmp", path);
+}
+
 bool is_of(const FolderContent& content, const fs::path& inside) {
-  return inside == content.marker || matches(content.marker + ".*.tmp", inside) ||
-         std::ranges::any_of(content.files, [&](const std::string& pattern) {
-           return matches(pattern, inside) || matches(pattern + ".*.tmp", inside);
-         });
+  const auto is_like = [&](const std::string& pattern) {
+    return matches(pattern, inside) || is_leftover(pattern, inside);
+  };
+  return is_like(content.marker) || std::ranges::any_of(content.files, is_like);
 }
 
 [[noreturn]] void refuse(const fs::path& folder, const FolderContent& content,
@@ -47,9 +51,11 @@ void require_own(const fs::path& folder, const FolderContent& content) {
   for (const fs::path& file : files) {
     if (!is_of(content, file)) refuse(folder, content, file);
   }
+  if (fs::exists(folder / content.marker)) return;
   // Names alone do not tell whose pictures they are.
-  if (!files.empty() && !fs::exists(folder / content.marker)) {
-    refuse(folder, content, files.front().string() + ", but no " + content.marker);
+  for (const fs::path& file : files) {
+    if (!is_leftover(content.marker, file))
+      refuse(folder, content, file.string() + ", but no " + content.marker);
   }
 }
 

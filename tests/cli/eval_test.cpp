@@ -357,7 +357,7 @@ TEST_F(Eval, TwoSequencesOfOneNameAreRefused) {
 TEST_F(Eval, AnOutputThatIsNoFolderIsRefusedBeforeAnythingIsRun) {
   const Outcome outcome = run_program("eval " + path("tiny.graspdb") + " --sequences " +
                                       path("set") + " --out " + path("tiny.graspdb"));
-  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("tiny.graspdb"));
   EXPECT_EQ(outcome.out, "");
 }

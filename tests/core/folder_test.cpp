@@ -52,6 +52,13 @@ TEST_F(Folder, WithFilesOfTheSameNamesButNoMarkerIsNotOurs) {
   EXPECT_TRUE(fs::exists(folder_ / "a/001.png"));
 }
 
+TEST_F(Folder, IsTakenOverFromAWriterThatWasKilledAtTheMarker) {
+  put(".pictures.host.17.tmp");
+  renew_folder(folder_, kPictures);
+  EXPECT_TRUE(fs::exists(folder_ / ".pictures"));
+  EXPECT_FALSE(fs::exists(folder_ / ".pictures.host.17.tmp"));
+}
+
 TEST_F(Folder, WithAnythingElseIsRefusedAndKept) {
   for (const char* name : {"notes.txt", "a/holiday.png", "a/b/001.png", "b/001.png", ".hidden"}) {
     fs::remove_all(folder_);
