@@ -119,6 +119,10 @@ double meters_per_unit_of(const aiScene& scene, const std::filesystem::path& fil
 
 }  // namespace
 
+bool can_state_unit(const std::filesystem::path& file) {
+  return has_extension(file, {".dae", ".fbx", ".glb", ".gltf"});
+}
+
 std::shared_ptr<const Solid> load_mesh_solid(const std::filesystem::path& file,
                                              std::optional<double> meters_per_unit) {
   Assimp::Importer importer;

@@ -98,7 +98,7 @@ void require_virtual_fingers_touch(const TomlTable& file, const Grasp& grasp) {
 
 // In metres. Some files state their own.
 std::optional<double> read_unit(const TomlTable& table) {
-  if (!table.has("unit")) return std::nullopt;
+  if (!table.has("unit") && can_state_unit(table.string("mesh"))) return std::nullopt;
   const std::string unit = table.choice("unit", {"mm", "cm", "m"});
   return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1;
 }

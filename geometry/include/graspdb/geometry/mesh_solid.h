@@ -20,6 +20,9 @@ namespace graspdb {
 std::shared_ptr<const Solid> load_mesh_solid(const std::filesystem::path& file,
                                              std::optional<double> meters_per_unit);
 
+// Whether files of that name can say what unit they are in.
+bool can_state_unit(const std::filesystem::path& file);
+
 // `mesh` is what is drawn, as Solid::mesh() says; `file` stands for it in messages.
 std::shared_ptr<const Solid> make_mesh_solid(Mesh mesh, const std::filesystem::path& file);
 
