@@ -2,6 +2,7 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
