@@ -86,8 +86,8 @@ std::size_t count_repeated(std::span<const Triangle> triangles) {
   std::vector<Triangle> sorted(triangles.begin(), triangles.end());
   for (Triangle& t : sorted) std::ranges::sort(t);
   std::ranges::sort(sorted);
-  const auto [first, last] = std::ranges::unique(sorted);
-  return static_cast<std::size_t>(last - first);
+  const auto last = std::unique(sorted.begin(), sorted.end());
+  return static_cast<std::size_t>(sorted.end() - last);
 }
 
 bool is_closed(std::span<const Triangle> triangles) {
