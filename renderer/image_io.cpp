@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "exif_chunk.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
 #include "graspdb/core/pixel_layout.h"
+#include "picture_chunks.h"
 
 namespace graspdb {
 
@@ -87,11 +87,17 @@ PixelLayout layout_of(const OIIO::ImageSpec& spec, const fs::path& path) {
                .found = found.empty() ? "a damaged one" : std::move(found)});
 }
 
+std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
+  if (is_png_with_a_chunk_beyond_its_end(path)) fail_to_read(path, "a PNG that ends early");
+  auto input = OIIO::ImageInput::open(path.string());
+  if (!input) fail_to_read(path, OIIO::geterror());
+  return input;
+}
+
 // Samples are scaled to the type's range; colours are multiplied with alpha.
 template <typename Sample>
 Decoded<Sample> read_image(const fs::path& path) {
-  const auto input = OIIO::ImageInput::open(path.string());
-  if (!input) fail_to_read(path, OIIO::geterror());
+  const auto input = open_image(path);
   check_size(input->spec(), path);
   Decoded<Sample> decoded{input->spec(), {}, layout_of(input->spec(), path)};
   decoded.samples.resize(decoded.spec.image_pixels() * decoded.channels());
@@ -140,8 +146,7 @@ bool is_transparent(const Decoded<Sample>& decoded) {
 }
 
 bool has_more_than_8_bits(const fs::path& path) {
-  const auto input = OIIO::ImageInput::open(path.string());
-  if (!input) fail_to_read(path, OIIO::geterror());
+  const auto input = open_image(path);
   return input->spec().format.size() > 1;
 }
 

@@ -271,6 +271,30 @@ TEST(ImageIo, AJpegThatEndsEarlyIsRefused) {
   }
 }
 
+// libpng would make room for what the chunk says: 1.9 GB.
+TEST(ImageIo, APngWithAChunkBeyondItsEndIsRefused) {
+  const TemporaryDirectory folder;
+  write_png(folder / "whole.png", GrayImage(4, 4));
+  const std::string whole = read_text(folder / "whole.png");
+  const std::size_t after_header = 8 + 12 + 13;
+  for (const std::string length : {"\x70\x78\x7f\x03", "\x7f\xff\xff\xff"}) {
+    std::string hostile = whole;
+    hostile.insert(after_header, length + "tEXta");
+    write_text(folder / "hostile.png", hostile);
+    try {
+      read_color(folder / "hostile.png");
+      ADD_FAILURE() << "accepted";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("ends early"));
+    }
+  }
+  write_text(folder / "half.png", whole.substr(0, whole.size() - 20));
+  EXPECT_THROW(read_gray(folder / "half.png"), Error);
+  write_text(folder / "more.png",
+             whole + "\x7f\xff\xff\xffmore");  // after the end anything may stand
+  EXPECT_EQ(read_gray(folder / "more.png").width(), 4);
+}
+
 TEST(ImageIo, WhatIsTransparentIsBlackAndSaid) {
   const TemporaryDirectory folder;
   OIIO::ImageBuf image(OIIO::ImageSpec(2, 1, 4, OIIO::TypeDesc::UINT8));

@@ -9,4 +9,8 @@ namespace graspdb {
 // there is none that can be read, and for all other files.
 int orientation_in_chunk(const std::filesystem::path& file);
 
+// Whether a PNG states a chunk that is longer than what is left of the file: libpng would make room
+// for it first, and that can be 2 GB in a file of 60 bytes.
+bool is_png_with_a_chunk_beyond_its_end(const std::filesystem::path& file);
+
 }  // namespace graspdb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "exif_chunk.h"
+#include "picture_chunks.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -37,7 +37,7 @@ int orientation_in(std::string_view exif) {
   return 1;
 }
 
-constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
+constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 
 bool is_webp(std::string_view head) {
   return head.starts_with("RIFF") && head.ends_with("WEBP");
@@ -57,26 +57,55 @@ Chunk chunk_at(std::string_view head, bool webp) {
   return {head.substr(0, 4), length, length % 2};
 }
 
+// Shows each chunk until `visit` says that it is enough. The file stands at the chunk's data.
+template <typename Visit>
+void visit_chunks(std::ifstream& file, bool webp, const Visit& visit) {
+  file.seekg(webp ? 12 : 8);
+  std::string head(8, '\0');
+  while (file.read(head.data(), 8)) {
+    const Chunk chunk = chunk_at(head, webp);
+    const std::streamoff data = file.tellg();
+    if (!visit(chunk)) return;
+    file.seekg(data + static_cast<std::streamoff>(chunk.length) + chunk.rest);
+  }
+}
+
+enum class Kind { kPng, kWebp, kOther };
+
+Kind kind_of(std::ifstream& file) {
+  std::string head(12, '\0');
+  if (!file.read(head.data(), 12)) return Kind::kOther;
+  return is_webp(head) ? Kind::kWebp : head.starts_with(kPngSignature) ? Kind::kPng : Kind::kOther;
+}
+
 }  // namespace
 
 int orientation_in_chunk(const std::filesystem::path& path) {
   constexpr std::uint32_t kLongest = 1 << 16;  // cameras' are shorter
   std::ifstream file(path, std::ios::binary);
-  std::string head(12, '\0');
-  if (!file.read(head.data(), 12)) return 1;
-  const bool webp = is_webp(head);
-  if (!webp && !head.starts_with(kPng)) return 1;
-  file.seekg(webp ? 12 : 8);
-  head.resize(8);
-  while (file.read(head.data(), 8)) {
-    const Chunk chunk = chunk_at(head, webp);
-    if (chunk.name == (webp ? "EXIF" : "eXIf") && chunk.length <= kLongest) {
-      std::string exif(chunk.length, '\0');
-      return file.read(exif.data(), chunk.length) ? orientation_in(exif) : 1;
-    }
-    file.seekg(static_cast<std::streamoff>(chunk.length) + chunk.rest, std::ios::cur);
-  }
-  return 1;
+  const Kind kind = kind_of(file);
+  int orientation = 1;
+  if (kind == Kind::kOther) return orientation;
+  visit_chunks(file, kind == Kind::kWebp, [&](const Chunk& chunk) {
+    const bool is_exif = chunk.name == (kind == Kind::kWebp ? "EXIF" : "eXIf");
+    if (!is_exif || chunk.length > kLongest) return true;
+    std::string exif(chunk.length, '\0');
+    if (file.read(exif.data(), chunk.length)) orientation = orientation_in(exif);
+    return false;
+  });
+  return orientation;
+}
+
+bool is_png_with_a_chunk_beyond_its_end(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (kind_of(file) != Kind::kPng) return false;
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(path));
+  bool is_beyond = false;
+  visit_chunks(file, false, [&](const Chunk& chunk) {
+    is_beyond = static_cast<std::streamoff>(chunk.length) > size - file.tellg();
+    return !is_beyond && chunk.name != "IEND";
+  });
+  return is_beyond;
 }
 
 }  // namespace graspdb
