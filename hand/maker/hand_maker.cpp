@@ -82,16 +82,26 @@ void check(const HandShape& shape) {
          kMeasureRanges.forearm_length_mm.high);
 }
 
+constexpr const char* kOrigin = "made by graspdb hand make";
+
+// A map of somebody else's hand is hours of work.
+void require_own_map(const std::filesystem::path& rig_map) {
+  if (!std::filesystem::exists(rig_map)) return;
+  if (read_text(rig_map).find(kOrigin) != std::string::npos) return;
+  throw Error({rig_map.string(), "origin", fmt::format("'{}', or no such file", kOrigin),
+               "a rig map from elsewhere"});
+}
+
 std::string rig_map_text(const Hand& hand) {
   const Eigen::Vector3d nail = hand.hand_from_bone_at_bind[kThumbDistal].rotation.col(2);
   std::string text = fmt::format(
       "# Which joint of {}.glb is which of graspdb's (docs/hands.md).\n"
-      "origin = \"made by graspdb hand make\"\n"
+      "origin = \"{}\"\n"
       "licence = \"MIT\"\n"
       "handedness = \"right\"\n"
       "# The way the thumb's nail faces in the file's rest pose, in the file's coordinates.\n"
       "thumb_nail = [{}, {}, {}]\n\n[bones]\n",
-      hand.name, nail.x(), nail.y(), nail.z());
+      hand.name, kOrigin, nail.x(), nail.y(), nail.z());
   for (int bone = 0; bone < kBoneCount; ++bone) {
     text += fmt::format("{0} = [\"{0}\"]\n", bone_name(bone));
   }
@@ -149,9 +159,10 @@ Hand make_hand(const HandShape& shape) {
 }
 
 void write_hand(const Hand& hand, const std::filesystem::path& glb) {
+  const std::filesystem::path rig_map = std::filesystem::path(glb).replace_extension(".rig.toml");
+  require_own_map(rig_map);
   write_text(glb, hand_to_glb(hand));
-  std::filesystem::path rig_map = glb;
-  write_text(rig_map.replace_extension(".rig.toml"), rig_map_text(hand));
+  write_text(rig_map, rig_map_text(hand));
 }
 
 }  // namespace graspdb

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <regex>
+#include <sstream>
 
 #include "graspdb/core/file.h"
 #include "program.h"
@@ -60,9 +60,14 @@ const std::vector<std::string> kVerbs = {
 // "--steps" of "  --steps N    Steps ..." for each option whose value is written so.
 std::vector<std::string> options_with(const std::string& value, const std::string& help) {
   std::vector<std::string> options;
-  const std::regex line("(--[a-z-]+) " + value + "[ ,\n]");
-  for (std::sregex_iterator match(help.begin(), help.end(), line), end; match != end; ++match)
-    options.push_back((*match)[1]);
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) {
+    std::string names, written;
+    std::istringstream(line) >> names >> written;
+    const std::size_t name = names.find("--");
+    if (name != names.npos && (written == value || written.starts_with(value + ",")))
+      options.push_back(names.substr(name));
+  }
   return options;
 }
 

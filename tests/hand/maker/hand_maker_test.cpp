@@ -67,6 +67,17 @@ TEST(HandMaker, WritingTwiceGivesTheSameBytes) {
   EXPECT_EQ(read_text(directory / "a.glb"), read_text(directory / "b.glb"));
 }
 
+TEST(HandMaker, ARigMapOfSomebodyElseIsNotWrittenOver) {
+  const TemporaryDirectory directory;
+  const Hand hand = load_hand(kHands + "male.glb");
+  write_text(directory / "a.rig.toml", "handedness = \"left\"\n");
+  EXPECT_THROW(write_hand(hand, directory / "a.glb"), Error);
+  EXPECT_EQ(read_text(directory / "a.rig.toml"), "handedness = \"left\"\n");
+  EXPECT_FALSE(std::filesystem::exists(directory / "a.glb"));
+  write_hand(hand, directory / "b.glb");
+  write_hand(hand, directory / "b.glb");  // its own
+}
+
 TEST(HandMaker, BoneAxesOfAFileDoNotMatter) {
   const Hand hand = load_hand(kHands + "male.glb");
   Hand turned = hand;

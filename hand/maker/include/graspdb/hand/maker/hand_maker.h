@@ -52,7 +52,8 @@ HandShape in_proportion(const HandShape& base, const WantedMeasures& wanted);
 // fingers are so thick that they touch in the bind pose.
 Hand make_hand(const HandShape& shape);
 
-// Writes hand.glb and its rig map hand.rig.toml beside it, both aside and renamed.
+// Writes hand.glb and its rig map hand.rig.toml beside it, both aside and renamed. Throws Error
+// when a rig map is there that was not written so: a person may have filled it in.
 void write_hand(const Hand& hand, const std::filesystem::path& glb);
 
 }  // namespace graspdb
