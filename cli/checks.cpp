@@ -13,6 +13,8 @@
 #include <limits>
 #include <optional>
 
+#include "graspdb/core/file_name.h"
+
 namespace graspdb::cli {
 namespace {
 
@@ -67,10 +69,7 @@ std::string why_not_in(const fs::path& folder) {
 }
 
 bool has_extension(const fs::path& file, const std::vector<std::string>& extensions) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extensions.empty() || std::ranges::count(extensions, extension) > 0;
+  return extensions.empty() || std::ranges::count(extensions, lower_extension(file)) > 0;
 }
 
 }  // namespace

@@ -116,6 +116,10 @@ Mask segment_skin(const ColorImage& frame, const SkinOptions& options) {
   return mask;
 }
 
+bool is_empty(const Mask& mask) {
+  return std::all_of(mask.begin(), mask.end(), [](std::uint8_t pixel) { return pixel == 0; });
+}
+
 bool has_color(const ColorImage& frame) {
   constexpr int kFaint = 10;  // what compression leaves in a grey picture
   const auto colored = std::count_if(frame.begin(), frame.end(), [](const Bgr& pixel) {

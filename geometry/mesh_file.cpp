@@ -10,6 +10,7 @@
 
 #include "graspdb/core/assimp/assimp_scene.h"
 #include "graspdb/core/error.h"
+#include "graspdb/core/file_name.h"
 #include "graspdb/geometry/mesh_solid.h"
 #include "graspdb/geometry/topology.h"
 #include "graspdb/geometry/triangle.h"
@@ -95,9 +96,7 @@ Mesh smooth(Mesh mesh) {
 }
 
 bool has_extension(const std::filesystem::path& file, std::initializer_list<const char*> names) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::find(names.begin(), names.end(), extension) != names.end();
+  return std::find(names.begin(), names.end(), lower_extension(file)) != names.end();
 }
 
 // What the file states and what is told of it must agree.

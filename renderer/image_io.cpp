@@ -96,16 +96,19 @@ std::unique_ptr<OIIO::ImageInput> open_image(const fs::path& path) {
 
 // Samples are scaled to the type's range; colours are multiplied with alpha.
 template <typename Sample>
-Decoded<Sample> read_image(const fs::path& path) {
-  const auto input = open_image(path);
-  check_size(input->spec(), path);
-  Decoded<Sample> decoded{input->spec(), {}, layout_of(input->spec(), path)};
+Decoded<Sample> read_image(OIIO::ImageInput& input, const fs::path& path) {
+  check_size(input.spec(), path);
+  Decoded<Sample> decoded{input.spec(), {}, layout_of(input.spec(), path)};
   decoded.samples.resize(decoded.spec.image_pixels() * decoded.channels());
-  const bool read = input->read_image(0, 0, 0, decoded.spec.nchannels,
-                                      OIIO::BaseTypeFromC<Sample>::value, decoded.samples.data());
+  const bool read = input.read_image(0, 0, 0, decoded.spec.nchannels,
+                                     OIIO::BaseTypeFromC<Sample>::value, decoded.samples.data());
   // Of a JPEG that ends early the rest is grey, and the read has succeeded.
-  if (!read || input->has_error()) fail_to_read(path, input->geterror());
+  if (!read || input.has_error()) fail_to_read(path, input.geterror());
   return decoded;
+}
+
+Decoded<std::uint8_t> read_8_bits(const fs::path& path) {
+  return read_image<std::uint8_t>(*open_image(path), path);
 }
 
 // One or two channels are grey (and alpha), more are red, green, blue (and alpha).
@@ -145,9 +148,10 @@ bool is_transparent(const Decoded<Sample>& decoded) {
   return false;
 }
 
-bool has_more_than_8_bits(const fs::path& path) {
-  const auto input = open_image(path);
-  return input->spec().format.size() > 1;
+template <typename Sample>
+Levels read_levels(OIIO::ImageInput& input, const fs::path& path) {
+  const auto decoded = read_image<Sample>(input, path);
+  return {levels_of(decoded), std::numeric_limits<Sample>::max(), is_transparent(decoded)};
 }
 
 }  // namespace
@@ -178,7 +182,7 @@ void write_exr(const fs::path& path, const Image<Eigen::Vector3f>& image) {
 }
 
 Picture read_picture(const fs::path& path) {
-  const auto decoded = read_image<std::uint8_t>(path);
+  const auto decoded = read_8_bits(path);
   Picture picture{
       color_of(decoded),
       notes_on(decoded.layout, fmt::format("EXIF orientation {}", decoded.layout.orientation))};
@@ -187,11 +191,11 @@ Picture read_picture(const fs::path& path) {
 }
 
 ColorImage read_color(const fs::path& path) {
-  return color_of(read_image<std::uint8_t>(path));
+  return color_of(read_8_bits(path));
 }
 
 GrayImage read_gray(const fs::path& path) {
-  const auto levels = levels_of(read_image<std::uint8_t>(path));
+  const auto levels = levels_of(read_8_bits(path));
   GrayImage image(levels.width(), levels.height());
   std::transform(levels.begin(), levels.end(), image.begin(),
                  [](std::uint16_t level) { return static_cast<std::uint8_t>(level); });
@@ -199,12 +203,9 @@ GrayImage read_gray(const fs::path& path) {
 }
 
 Levels read_levels(const fs::path& path) {
-  if (has_more_than_8_bits(path)) {
-    const auto decoded = read_image<std::uint16_t>(path);
-    return {levels_of(decoded), 65535, is_transparent(decoded)};
-  }
-  const auto decoded = read_image<std::uint8_t>(path);
-  return {levels_of(decoded), 255, is_transparent(decoded)};
+  const auto input = open_image(path);
+  return input->spec().format.size() > 1 ? read_levels<std::uint16_t>(*input, path)
+                                         : read_levels<std::uint8_t>(*input, path);
 }
 
 }  // namespace graspdb

@@ -16,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_empty(const Mask& mask) {
-  return std::all_of(mask.begin(), mask.end(), [](std::uint8_t pixel) { return pixel == 0; });
-}
-
 ColorImage read_frame(const fs::path& file, const Intrinsics& camera) {
   ColorImage color = read_color(file);
   if (color.width() == camera.width && color.height() == camera.height) return color;

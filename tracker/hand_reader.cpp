@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/tracker/hand_reader.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "graspdb/core/error.h"
@@ -9,13 +8,6 @@
 #include "mirror.h"
 
 namespace graspdb {
-namespace {
-
-bool is_empty(const Mask& mask) {
-  return std::all_of(mask.begin(), mask.end(), [](std::uint8_t pixel) { return pixel == 0; });
-}
-
-}  // namespace
 
 HandReader::HandReader(const Database& database, const ReaderOptions& options,
                        const std::string& search)

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <opencv2/videoio.hpp>
 #include <tuple>
 
 #include "graspdb/core/error.h"
+#include "graspdb/core/file_name.h"
 #include "graspdb/core/opencv/opencv_image.h"
 #include "graspdb/core/stopwatch.h"
 #include "graspdb/renderer/image_io.h"
@@ -24,10 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::array kPictureEndings = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
 
 bool is_picture(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return std::ranges::find(kPictureEndings, ending) != kPictureEndings.end();
+  return std::ranges::find(kPictureEndings, lower_extension(path)) != kPictureEndings.end();
 }
 
 bool is_digit(char c) {

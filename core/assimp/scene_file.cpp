@@ -2,7 +2,6 @@
 #include <assimp/config.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -10,6 +9,7 @@
 #include "graspdb/core/assimp/assimp_scene.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/core/file_name.h"
 #include "reduced_files.h"
 
 namespace graspdb {
@@ -19,13 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestFile = 256 << 20;
 constexpr std::size_t kMostVertices = 1 << 25;
-
-std::string lower_extension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 void require_limited(const fs::path& file) {
   std::error_code absent;  // who reads it reports that

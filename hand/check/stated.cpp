@@ -23,14 +23,12 @@ using Eigen::Vector3d;
 HandCheckLine palm_side(const Hand& hand) {
   using enum PalmWitness::Verdict;
   const std::vector<PalmWitness> witnesses = palm_witnesses(hand);
-  const auto number = [&](PalmWitness::Verdict verdict) {
-    return std::ranges::count(witnesses, verdict, &PalmWitness::verdict);
-  };
   const Gate gate = exactly(0);
-  if (number(kTellsNothing) == std::ssize(witnesses)) {
+  if (count_of(witnesses, kTellsNothing) == std::ssize(witnesses)) {
     return not_applicable("palm side, signs against it", "", gate, "no sign tells");
   }
-  return judged("palm side, signs against it", static_cast<double>(number(kContradicts)), "", gate,
+  return judged("palm side, signs against it",
+                static_cast<double>(count_of(witnesses, kContradicts)), "", gate,
                 seen_by(witnesses, kContradicts));
 }
 

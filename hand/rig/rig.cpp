@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "forearm.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
@@ -47,14 +45,13 @@ void check(const RestFrames& frames, const RigMap& map, const RigFile& file) {
 void check_handedness(const Hand& hand, const RigMap& map, const RigFile& file) {
   using enum PalmWitness::Verdict;
   const std::vector<PalmWitness> witnesses = palm_witnesses(hand);
-  const auto number = [&](PalmWitness::Verdict verdict) {
-    return std::ranges::count(witnesses, verdict, &PalmWitness::verdict);
-  };
-  if (number(kContradicts) == 0 || number(kAgrees) > number(kContradicts)) return;
+  if (count_of(witnesses, kContradicts) == 0 ||
+      count_of(witnesses, kAgrees) > count_of(witnesses, kContradicts))
+    return;
   const char* const stated = map.is_left ? "a left" : "a right";
   const char* const other = map.is_left ? "a right" : "a left";
   std::string signs = fmt::format("signs of {} one ({})", other, seen_by(witnesses, kContradicts));
-  if (number(kAgrees) > 0) {
+  if (count_of(witnesses, kAgrees) > 0) {
     signs += fmt::format(" and of {} one ({})", stated, seen_by(witnesses, kAgrees));
   }
   fail(map, file, "handedness", fmt::format("{} hand", stated), signs);

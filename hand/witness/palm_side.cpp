@@ -148,6 +148,10 @@ std::vector<PalmWitness> palm_witnesses(const Hand& hand) {
   return {by_thumb(hand), by_bend(hand), by_palm(hand), by_fingertips(hand)};
 }
 
+std::ptrdiff_t count_of(const std::vector<PalmWitness>& witnesses, Verdict verdict) {
+  return std::ranges::count(witnesses, verdict, &PalmWitness::verdict);
+}
+
 std::string seen_by(const std::vector<PalmWitness>& witnesses, Verdict verdict) {
   std::string all;
   for (const PalmWitness& witness : witnesses) {

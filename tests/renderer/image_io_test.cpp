@@ -12,12 +12,14 @@
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
 #include "graspdb/core/random.h"
+#include "support/quarters.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::corners_of;
 using ::testing::HasSubstr;
 using testing::TemporaryDirectory;
 
@@ -150,19 +152,6 @@ void write_stored(const fs::path& file, int orientation, float aspect = 1) {
     for (int x = 0; x < 32; ++x) image.setpixel(x, y, quarters[2 * (y / 8) + x / 16]);
   }
   ASSERT_TRUE(image.write(file.string())) << image.geterror();
-}
-
-// r, g, b and w of the corners: upper left, upper right, lower left, lower right.
-std::string corners_of(const ColorImage& image) {
-  std::string corners;
-  for (const int y : {2, image.height() - 3}) {
-    for (const int x : {2, image.width() - 3}) {
-      const Bgr& pixel = image.at(x, y);
-      const bool blue = pixel[0] > 127, green = pixel[1] > 127;
-      corners += blue && green ? 'w' : blue ? 'b' : green ? 'g' : 'r';
-    }
-  }
-  return corners;
 }
 
 TEST(ImageIo, EveryExifOrientationIsApplied) {

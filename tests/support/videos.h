@@ -15,8 +15,6 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 
-#include "graspdb/core/image.h"
-
 namespace graspdb::testing {
 
 // Red and green over blue and white, 64 x 32 pixels; 10 frames a second. "avc1" has frames whose
@@ -34,19 +32,6 @@ inline void write_video(const std::filesystem::path& file, int frames, const cha
     cv::circle(frame, {10 + i % 44, 16}, 4, cv::Scalar::all(0), cv::FILLED);  // something moves
     writer.write(frame);
   }
-}
-
-// r, g, b and w of the corners: upper left, upper right, lower left, lower right.
-inline std::string corners_of(const ColorImage& image) {
-  std::string corners;
-  for (const int y : {2, image.height() - 3}) {
-    for (const int x : {2, image.width() - 3}) {
-      const Bgr& pixel = image.at(x, y);
-      const bool blue = pixel[0] > 127, green = pixel[1] > 127;
-      corners += blue && green ? 'w' : blue ? 'b' : green ? 'g' : 'r';
-    }
-  }
-  return corners;
 }
 
 // What is changed when a video is written again: its stream's properties, or its packets.

@@ -9,6 +9,7 @@
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
 #include "graspdb/video/frame_source.h"
+#include "support/quarters.h"
 #include "support/temporary_directory.h"
 #include "support/videos.h"
 

@@ -114,14 +114,18 @@ TEST_F(Gltf, QuantizedPlacesAreThoseTheyStandFor) {
   expect_place(read(hand), 2, {0, 0.2F, 0});
 }
 
+// One element that is changed.
+json sparse_change(std::size_t where, std::size_t what) {
+  return {{"count", 1},
+          {"indices", {{"bufferView", where}, {"componentType", kBytes}}},
+          {"values", {{"bufferView", what}}}};
+}
+
 TEST_F(Gltf, SparseAccessorsAreChanged) {
   TinyHand hand;
   const std::size_t where = hand.add<std::uint8_t>({3}, kBytes, 1, "SCALAR");
   const std::size_t what = hand.add<float>({1, 2, 30}, kFloats, 1, "VEC3");
-  hand.accessor("POSITION")["sparse"] = {
-      {"count", 1},
-      {"indices", {{"bufferView", where}, {"componentType", kBytes}}},
-      {"values", {{"bufferView", what}}}};
+  hand.accessor("POSITION")["sparse"] = sparse_change(where, what);
   expect_place(read(hand), 1, {20, 0, 0});
   expect_place(read(hand), 3, {1, 2, 30});
   // Without bytes of its own an accessor is all zeros before that.
@@ -134,9 +138,7 @@ TEST_F(Gltf, RefusesSparseChangesThatAreNotThere) {
   TinyHand hand;
   const std::size_t where = hand.add<std::uint8_t>({4}, kBytes, 1, "SCALAR");
   const std::size_t what = hand.add<float>({1, 2, 30}, kFloats, 1, "VEC3");
-  const json good = {{"count", 1},
-                     {"indices", {{"bufferView", where}, {"componentType", kBytes}}},
-                     {"values", {{"bufferView", what}}}};
+  const json good = sparse_change(where, what);
   const auto refusal_of = [&](const std::function<void(json&)>& spoil) {
     json& sparse = hand.accessor("POSITION")["sparse"] = good;
     spoil(sparse);

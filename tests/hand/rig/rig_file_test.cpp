@@ -8,7 +8,7 @@
 #include <assimp/Importer.hpp>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/core/assimp/glb.h"
+#include "glb_edit.h"
 #include "graspdb/geometry/topology.h"
 #include "rig_maps.h"
 
@@ -16,6 +16,7 @@ namespace graspdb {
 namespace {
 
 using ::testing::AllOf;
+using testing::GlbEdit;
 using ::testing::HasSubstr;
 using testing::kMale;
 using testing::TemporaryDirectory;
@@ -45,23 +46,19 @@ TEST(RigFile, RefusesTwoNodesOfABonesName) {
 }
 
 // The right hand as it looks in a mirror, by a node above its joints.
-std::string mirrored_male() {
-  const std::string bytes = read_text(kMale);
-  const GlbParts parts = glb_parts(bytes, "");
-  nlohmann::json root = nlohmann::json::parse(parts.json);
-  nlohmann::json& nodes = root["scenes"][0]["nodes"];
-  root["nodes"].push_back({{"name", "mirror"}, {"scale", {-1, 1, 1}}, {"children", nodes}});
-  nodes = {root["nodes"].size() - 1};
-  return glb_file(root.dump(), parts.binary);
+GlbEdit mirrored_male() {
+  GlbEdit edit;
+  const nlohmann::json below = edit.json["scenes"][0]["nodes"];
+  edit.json["scenes"][0]["nodes"] = nlohmann::json::array();
+  edit.add_node({{"name", "mirror"}, {"scale", {-1, 1, 1}}, {"children", below}}, "");
+  return edit;
 }
 
 TEST(RigFile, SkinThatAMirrorTurnsFacesOutwards) {
-  const TemporaryDirectory folder;
-  write_text(folder / "left.glb", mirrored_male());
   const std::string map =
       testing::replaced(testing::map_with("handedness = \"right\"", "handedness = \"left\""),
                         "thumb_nail = [-0.8998708493068355", "thumb_nail = [0.8998708493068355");
-  const Hand male = load_hand(kMale), hand = testing::load_with(map, folder / "left.glb");
+  const Hand male = load_hand(kMale), hand = mirrored_male().load(map);
   EXPECT_GT(volume_of(male.bind_mesh), 0);
   EXPECT_NEAR(volume_of(hand.bind_mesh), volume_of(male.bind_mesh), 1e-9);
 }

@@ -66,6 +66,9 @@ std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi = {},
                const SkinOptions& options = {});
 
+// Whether it shows no hand.
+bool is_empty(const Mask& mask);
+
 // Whether more than one pixel in a thousand is clearly none of grey's; else no skin can be told.
 bool has_color(const ColorImage& frame);
 

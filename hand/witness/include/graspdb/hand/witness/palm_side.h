@@ -4,6 +4,7 @@
 // bends the wrong way.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct PalmWitness {
 // A sign that is too faint, or that there is no skin for, tells nothing. The thumb's nail is no
 // sign: it faces the thumb's side on either hand. Pure, thread-safe, some milliseconds.
 std::vector<PalmWitness> palm_witnesses(const Hand& hand);
+
+std::ptrdiff_t count_of(const std::vector<PalmWitness>& witnesses, PalmWitness::Verdict verdict);
 
 // What was seen by those with this verdict, joined by ", "; empty when there is none.
 std::string seen_by(const std::vector<PalmWitness>& witnesses, PalmWitness::Verdict verdict);
