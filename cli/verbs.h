@@ -21,6 +21,7 @@ void add_info(CLI::App& app);  // info and verify
 void add_merge(CLI::App& app);
 void add_query(CLI::App& app);
 void add_render(CLI::App& app);
+void add_samples(CLI::App& app);
 void add_sequence(CLI::App& app);
 void add_track(CLI::App& app);
 void add_tune(CLI::App& app);

@@ -8,8 +8,7 @@
 namespace graspdb {
 namespace {
 
-// Enough rays for smooth creases at a vertex spacing of 2-3 mm; 30 mm is about a finger and a half.
-constexpr int kOpennessRays = 24;
+// Metres, about a finger and a half.
 constexpr double kOpennessReach = 0.03;
 
 Mesh transformed(const Mesh& mesh, const RigidTransform& target_from_mesh) {
@@ -46,12 +45,13 @@ Hand with_visible_forearm(Hand hand, double length) {
   return hand;
 }
 
-PosedScene pose_scene(const Hand& hand, const GraspPose& pose, const Solid* object) {
+PosedScene pose_scene(const Hand& hand, const GraspPose& pose, const Solid* object,
+                      int openness_rays) {
   Mesh skin = pose_skin(hand, pose.angles);
   Mesh solid;
   if (object != nullptr) solid = transformed(object->mesh(), pose.hand_from_object);
   const Mesh* held = object != nullptr ? &solid : nullptr;
-  const std::vector<float> openness = ambient_openness(skin, held, kOpennessRays, kOpennessReach);
+  const std::vector<float> openness = ambient_openness(skin, held, openness_rays, kOpennessReach);
   Scene scene(skin, strongest_bones(hand), held, openness);
   return {std::move(scene), std::move(skin.vertices), palm_center(hand.skeleton, pose.angles)};
 }

@@ -21,7 +21,11 @@ struct PosedScene {
   Eigen::Vector3d center;                      // palm_centre, what cameras look at
 };
 
+// Enough rays for smooth creases at a vertex spacing of 2-3 mm.
+constexpr int kOpennessRays = 24;
+
 // `object` may be null: then the hand is free. Creases are darkened (ambient_openness).
-PosedScene pose_scene(const Hand& hand, const GraspPose& pose, const Solid* object);
+PosedScene pose_scene(const Hand& hand, const GraspPose& pose, const Solid* object,
+                      int openness_rays = kOpennessRays);
 
 }  // namespace graspdb
