@@ -59,8 +59,8 @@ void add_samples(CLI::App& app) {
                            ->check(output_file({".png"}));
   CLI::Option* first =
       verb->add_option("--first", options->first, "Number of the first one")->check(natural());
-  CLI::Option* count = verb->add_option("--count", options->count, "How many")
-                           ->check(range(1, kMostSamples));
+  CLI::Option* count =
+      verb->add_option("--count", options->count, "How many")->check(range(1, kMostSamples));
   CLI::Option* config = verb->add_option("--config", options->config, "A TOML file of options");
   verb->add_option("--sequences", options->sequences,
                    "The frames of this folder's *.seq.toml instead, with their true masks")

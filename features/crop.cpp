@@ -48,7 +48,8 @@ struct CropRowSums {
   std::array<std::uint32_t, kCropSide> gray, mask, scene;
 };
 
-CropRowSums sum_crop_row(const std::uint8_t* gray, const std::uint8_t* mask, const CropSpans& columns) {
+CropRowSums sum_crop_row(const std::uint8_t* gray, const std::uint8_t* mask,
+                         const CropSpans& columns) {
   CropRowSums sums{};
   for (std::size_t i = 0; i < kCropSide; ++i) {
     const CropSpan& span = columns[i];

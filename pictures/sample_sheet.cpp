@@ -34,7 +34,8 @@ Mat label_picture(const Sample& sample) {
   Mat picture(kPlaneTile, kPlaneTile, cv::Vec3b(24, 24, 24));
   const auto place = [&](int joint) {
     const Eigen::Vector2d at = sample.joints.col(joint).head<2>() * (kPlaneTile / kMetersPerTile);
-    return cv::Point(static_cast<int>(kPlaneTile / 2 + at.x()), static_cast<int>(kPlaneTile / 2 + at.y()));
+    return cv::Point(static_cast<int>(kPlaneTile / 2 + at.x()),
+                     static_cast<int>(kPlaneTile / 2 + at.y()));
   };
   for (int joint = 1; joint < kKeypointCount; ++joint) {
     const int digit = (joint - 1) / 4, parent = joint % 4 == 1 ? 0 : joint - 1;
@@ -56,10 +57,12 @@ std::string caption(const Sample& sample) {
 ColorImage draw_sample_sheet(std::span<const Sample> samples) {
   const int count = std::min(static_cast<int>(samples.size()), kSampleColumns * kMostLines);
   const int lines = (count + kSampleColumns - 1) / kSampleColumns;
-  Page page(kSampleColumns * (kPlanes * kPlaneTile + kSampleGap), lines * (kPlaneTile + kSampleCaption));
+  Page page(kSampleColumns * (kPlanes * kPlaneTile + kSampleGap),
+            lines * (kPlaneTile + kSampleCaption));
   for (int i = 0; i < count; ++i) {
     const Sample& sample = samples[static_cast<std::size_t>(i)];
-    const int x = i % kSampleColumns * (kPlanes * kPlaneTile + kSampleGap), y = i / kSampleColumns * (kPlaneTile + kSampleCaption);
+    const int x = i % kSampleColumns * (kPlanes * kPlaneTile + kSampleGap),
+              y = i / kSampleColumns * (kPlaneTile + kSampleCaption);
     page.place(plane_picture(sample.crop.gray), x, y);
     page.place(plane_picture(sample.crop.mask), x + kPlaneTile, y);
     page.place(plane_picture(sample.crop.scene), x + 2 * kPlaneTile, y);

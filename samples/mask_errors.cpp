@@ -2,8 +2,10 @@
 #include "mask_errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "graspdb/core/opencv/opencv_image.h"
 #include "graspdb/core/transform.h"
@@ -13,9 +15,9 @@
 namespace graspdb {
 namespace {
 
-constexpr double kCutMm = 15;            // beyond the wrist joint, where the forearm should end
-constexpr double kArmHalfWidthMm = 60;   // what lies further to the side is not of the forearm
-constexpr int kOutlineSide = 128;        // pixels: SampleConfig::outline_px is stated for it
+constexpr double kCutMm = 15;           // beyond the wrist joint, where the forearm should end
+constexpr double kArmHalfWidthMm = 60;  // what lies further to the side is not of the forearm
+constexpr int kOutlineSide = 128;       // pixels: SampleConfig::outline_px is stated for it
 
 void cut_arm(Mask& hand, const ArmInPicture& arm, double beyond_mm) {
   const double limit = beyond_mm * arm.px_per_mm;
@@ -40,7 +42,8 @@ void tear(Mask& hand, RandomStream& random) {
   const int pieces = 1 + static_cast<int>(random.below(3));
   for (int piece = 0; piece < pieces; ++piece) {
     const bool is_lost = random.uniform() < 0.6;
-    const Mask where = draw_ellipse(hand.width(), hand.height(), 0.01, 0.10, random);
+    const Mask where =
+        draw_outline(hand.width(), hand.height(), Outline::kEllipse, 0.01, 0.10, random);
     // What is far from the hand is never taken for it.
     const bool touches = std::ranges::equal(
         where, hand, [](std::uint8_t a, std::uint8_t b) { return a == 0 || b == 0; });
@@ -87,14 +90,25 @@ Mask noisy(const Mask& hand, double percent, std::uint64_t seed) {
 
 }  // namespace
 
-Mask draw_ellipse(int width, int height, double smallest, double largest, RandomStream& random) {
+Mask draw_outline(int width, int height, Outline outline, double smallest, double largest,
+                  RandomStream& random) {
+  const auto half_axis = [&] {
+    return static_cast<float>(random.uniform(smallest, largest) * width) + 1;
+  };
+  const auto x = static_cast<float>(random.uniform(0, width));
+  const auto y = static_cast<float>(random.uniform(0, height));
+  const cv::Size2f axes(2 * half_axis(), 2 * half_axis());
+  const cv::RotatedRect where({x, y}, axes, static_cast<float>(random.uniform(0, 180)));
   Mask mask(width, height);
-  const auto axis = [&] { return static_cast<int>(random.uniform(smallest, largest) * width) + 1; };
-  const int x = static_cast<int>(random.below(static_cast<std::uint64_t>(width)));
-  const int y = static_cast<int>(random.below(static_cast<std::uint64_t>(height)));
-  const int a = axis(), b = axis();
-  cv::Mat image = as_mat(mask);
-  cv::ellipse(image, {x, y}, {a, b}, random.uniform(0, 180), 0, 360, {255}, cv::FILLED);
+  const cv::Mat image = as_mat(mask);
+  if (outline == Outline::kEllipse) {
+    cv::ellipse(image, where, {255}, cv::FILLED);
+    return mask;
+  }
+  std::array<cv::Point2f, 4> corners;
+  where.points(corners.data());
+  const std::vector<cv::Point> polygon(corners.begin(), corners.end());
+  cv::fillConvexPoly(image, polygon, {255});
   return mask;
 }
 
@@ -103,7 +117,8 @@ Mask found_mask(Mask hand, const std::optional<ArmInPicture>& arm, const SampleC
   const bool is_cut = random.uniform() < 0.7 && config.wrist_cut_mm > 0;
   const double cut_mm = kCutMm + config.wrist_cut_mm * std::clamp(random.normal() / 2, -1.0, 1.0);
   if (is_cut && arm) cut_arm(hand, *arm, cut_mm);
-  const double share = random.uniform(), noise = random.uniform() < 0.4 ? share * share * config.noise_percent : 0;
+  const double share = random.uniform(),
+               noise = random.uniform() < 0.4 ? share * share * config.noise_percent : 0;
   const bool is_torn = random.uniform() < config.torn;
   const double fatter = config.outline_px * random.uniform(-1, 1);
   if (is_torn) tear(hand, random);

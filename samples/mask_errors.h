@@ -13,9 +13,9 @@ namespace graspdb {
 
 // How the forearm lies in a picture. None when it points at the camera or away from it.
 struct ArmInPicture {
-  Eigen::Vector2d wrist;     // pixels
-  Eigen::Vector2d towards;   // unit, away from the hand
-  double px_per_mm = 0;      // along it
+  Eigen::Vector2d wrist;    // pixels
+  Eigen::Vector2d towards;  // unit, away from the hand
+  double px_per_mm = 0;     // along it
   double px_per_mm_across = 0;
 };
 
@@ -24,7 +24,10 @@ struct ArmInPicture {
 Mask found_mask(Mask hand, const std::optional<ArmInPicture>& arm, const SampleConfig& config,
                 RandomStream& random);
 
-// The pixels of an ellipse anywhere in the picture, its half axes such shares of the picture's side.
-Mask draw_ellipse(int width, int height, double smallest, double largest, RandomStream& random);
+// The pixels of an ellipse, or of a rectangle, anywhere in the picture and turned anyhow; half its
+// axes are such shares of the picture's side.
+enum class Outline { kEllipse, kRectangle };
+Mask draw_outline(int width, int height, Outline outline, double smallest, double largest,
+                  RandomStream& random);
 
 }  // namespace graspdb

@@ -87,8 +87,8 @@ GrayImage painted(const View& view, const Paints& paints) {
 void apply_gamma(GrayImage& gray, double gamma) {
   std::array<std::uint8_t, 256> curve{};
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    curve[i] = static_cast<std::uint8_t>(
-        std::lround(255 * std::pow(static_cast<double>(i) / 255, gamma)));
+    curve[i] =
+        static_cast<std::uint8_t>(std::lround(255 * std::pow(static_cast<double>(i) / 255, gamma)));
   }
   for (std::uint8_t& level : gray) level = curve[level];
 }
@@ -119,10 +119,17 @@ void photograph(GrayImage& gray, const SampleConfig& config, RandomStream& rando
   if (config.sensor > 0) add_noise(gray, config.sensor * noise, random);
 }
 
-// Another object before hand and all.
+// Another object before hand and all: a small round one, or a book or the picture's own border.
+Mask draw_occluder(const View& view, RandomStream& random) {
+  const int width = view.label.width(), height = view.label.height();
+  if (random.uniform() < 0.5) {
+    return draw_outline(width, height, Outline::kEllipse, 0.04, 0.25, random);
+  }
+  return draw_outline(width, height, Outline::kRectangle, 0.05, 0.6, random);
+}
+
 void hide_behind_object(View& view, RandomStream& random) {
-  const Mask object =
-      draw_ellipse(view.label.width(), view.label.height(), 0.04, 0.25, random);
+  const Mask object = draw_occluder(view, random);
   const auto level = static_cast<std::uint8_t>(random.uniform(60, 220));
   for (std::size_t i = 0; i < object.size(); ++i) {
     if (object.data()[i] == 0) continue;

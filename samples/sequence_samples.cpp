@@ -26,8 +26,7 @@ std::vector<fs::path> sequence_files(const fs::path& folder) {
 }
 
 // As the tracker would describe the frame, had it found the true mask.
-std::optional<Sample> frame_sample(const SequenceFrames& frames, std::size_t frame,
-                                   double length) {
+std::optional<Sample> frame_sample(const SequenceFrames& frames, std::size_t frame, double length) {
   const Mask mask = isolate_hand(frames.hand[frame]);
   const auto square = crop_square(mask);
   if (!square) return std::nullopt;
