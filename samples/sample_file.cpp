@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <bit>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
+#include "graspdb/core/json/safetensors.h"
 #include "graspdb/samples/samples.h"
 
 namespace graspdb {
@@ -11,118 +12,70 @@ namespace {
 
 using nlohmann::ordered_json;
 
-static_assert(std::endian::native == std::endian::little, "tensors are written as they lie");
-
-// One tensor of the file and how a sample's part of it becomes bytes.
-struct Tensor {
-  const char* name;
-  const char* dtype;
-  std::vector<std::size_t> shape;  // of one sample
-  std::size_t bytes;               // of one sample
-  std::function<void(const Sample&, std::string&)> append;
-};
-
 template <typename T>
-void put(std::string& bytes, const T& value) {
+void put(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-// Column by column, as Eigen keeps them: of points one after the other.
+// Column by column, as Eigen keeps them: points one after the other.
 template <typename Matrix>
 void put_floats(std::string& bytes, const Matrix& matrix) {
   for (const double value : matrix.reshaped()) put(bytes, static_cast<float>(value));
 }
 
-Tensor plane(const char* name, CropPlane HandCrop::*member) {
-  return {name,
-          "U8",
-          {kCropSide, kCropSide},
-          kCropPixels,
-          [member](const Sample& s, std::string& bytes) { put(bytes, s.crop.*member); }};
+using Put = std::function<void(const Sample&, std::string&)>;
+
+Put plane(CropPlane HandCrop::*member) {
+  return [member](const Sample& s, std::string& to) { put(to, s.crop.*member); };
 }
 
-std::vector<Tensor> tensors() {
-  return {
-      {"rotation",
-       "F32",
-       {3, 3},
-       36,
-       [](const Sample& s, std::string& b) { put_floats(b, s.crop_from_hand.transpose()); }},
-      {"angles",
-       "F32",
-       {kAngleCount},
-       4 * kAngleCount,
-       [](const Sample& s, std::string& b) { put_floats(b, s.angles); }},
-      {"joints",
-       "F32",
-       {kKeypointCount, 3},
-       12 * kKeypointCount,
-       [](const Sample& s, std::string& b) { put_floats(b, s.joints); }},
-      {"hand_length",
-       "F32",
-       {},
-       4,
-       [](const Sample& s, std::string& b) { put(b, static_cast<float>(s.hand_length)); }},
-      {"hidden",
-       "F32",
-       {},
-       4,
-       [](const Sample& s, std::string& b) { put(b, static_cast<float>(s.hidden)); }},
-      {"grasp",
-       "I32",
-       {},
-       4,
-       [](const Sample& s, std::string& b) { put(b, std::int32_t{s.grasp}); }},
-      {"hand",
-       "I32",
-       {},
-       4,
-       [](const Sample& s, std::string& b) { put(b, static_cast<std::int32_t>(s.hand)); }},
-      {"sequence",
-       "I32",
-       {},
-       4,
-       [](const Sample& s, std::string& b) { put(b, static_cast<std::int32_t>(s.sequence)); }},
-      {"held",
-       "U8",
-       {},
-       1,
-       [](const Sample& s, std::string& b) { put(b, static_cast<std::uint8_t>(s.held)); }},
-      plane("gray", &HandCrop::gray),
-      plane("mask", &HandCrop::mask),
-      plane("scene", &HandCrop::scene),
+// A tensor of the file, with the shape of one sample's part and how that becomes bytes.
+struct Field {
+  TensorInfo info;
+  Put put_sample;
+};
+
+std::vector<Field> fields() {
+  using S = const Sample&;
+  using B = std::string&;
+  const auto floats = [](const char* name, std::vector<std::size_t> shape, const Put& put_sample) {
+    return Field{{name, "F32", std::move(shape)}, put_sample};
   };
-}
-
-std::string header(const std::vector<Tensor>& all, std::size_t count, ordered_json metadata) {
-  metadata["format"] = "graspdb samples";
-  metadata["format_version"] = "1";
-  ordered_json root{{"__metadata__", metadata}};
-  std::size_t offset = 0;
-  for (const Tensor& tensor : all) {
-    std::vector<std::size_t> shape = {count};
-    shape.insert(shape.end(), tensor.shape.begin(), tensor.shape.end());
-    root[tensor.name] = {{"dtype", tensor.dtype},
-                         {"shape", shape},
-                         {"data_offsets", {offset, offset + tensor.bytes * count}}};
-    offset += tensor.bytes * count;
-  }
-  std::string text = root.dump();
-  text.resize((text.size() + 7) / 8 * 8, ' ');
-  std::string bytes;
-  put(bytes, std::uint64_t{text.size()});
-  return bytes + text;
+  const auto number = [](const char* name, std::function<std::uint64_t(S)> of) {
+    return Field{{name, "I32", {}}, [of](S s, B to) { put(to, static_cast<std::int32_t>(of(s))); }};
+  };
+  const auto picture = [](const char* name, CropPlane HandCrop::*member) {
+    return Field{{name, "U8", {kCropSide, kCropSide}}, plane(member)};
+  };
+  return {
+      floats("rotation", {3, 3}, [](S s, B to) { put_floats(to, s.crop_from_hand.transpose()); }),
+      floats("angles", {kAngleCount}, [](S s, B to) { put_floats(to, s.angles); }),
+      floats("joints", {kKeypointCount, 3}, [](S s, B to) { put_floats(to, s.joints); }),
+      floats("hand_length", {}, [](S s, B to) { put(to, static_cast<float>(s.hand_length)); }),
+      floats("hidden", {}, [](S s, B to) { put(to, static_cast<float>(s.hidden)); }),
+      number("grasp", [](S s) { return static_cast<std::uint64_t>(s.grasp); }),
+      number("hand", [](S s) { return s.hand; }),
+      number("sequence", [](S s) { return std::uint64_t{s.sequence}; }),
+      number("held", [](S s) { return std::uint64_t{s.held}; }),
+      picture("gray", &HandCrop::gray),
+      picture("mask", &HandCrop::mask),
+      picture("scene", &HandCrop::scene)};
 }
 
 void write(const std::filesystem::path& path, std::span<const Sample> samples,
-           const ordered_json& metadata) {
-  const std::vector<Tensor> all = tensors();
+           std::map<std::string, std::string> metadata) {
+  const std::vector<Field> all = fields();
+  std::vector<TensorInfo> tensors;
+  for (const Field& field : all) {
+    tensors.push_back(field.info);
+    tensors.back().shape.insert(tensors.back().shape.begin(), samples.size());
+  }
+  metadata.insert({{"format", "graspdb samples"}, {"format_version", "1"}});
   FileAside file(path);
-  file.write(header(all, samples.size(), metadata));
-  for (const Tensor& tensor : all) {
+  file.write(safetensors_header(tensors, metadata));
+  for (const Field& field : all) {
     std::string bytes;
-    bytes.reserve(tensor.bytes * samples.size());
-    for (const Sample& sample : samples) tensor.append(sample, bytes);
+    for (const Sample& sample : samples) field.put_sample(sample, bytes);
     file.write(bytes);
   }
   file.commit();
@@ -134,8 +87,9 @@ void write_samples(const std::filesystem::path& file, std::span<const Sample> sa
                    const SampleConfig& config, std::uint64_t first,
                    std::span<const SampleAsset> assets) {
   ordered_json seen = ordered_json::array();
-  for (const SampleAsset& asset : assets)
+  for (const SampleAsset& asset : assets) {
     seen.push_back({{"name", asset.name}, {"hash", asset.hash}});
+  }
   write(file, samples,
         {{"config", sample_config_json(config)},
          {"first", std::to_string(first)},

@@ -26,6 +26,7 @@ class JsonFields {
   JsonFields(const nlohmann::json& object, std::string file, std::string key);
 
   bool has(const std::string& name) const;
+  auto items() const { return object_.items(); }  // of all, known or not
   const nlohmann::json& at(const std::string& name) const;
   JsonFields fields(const std::string& name) const;
   std::string text(const std::string& name) const;
