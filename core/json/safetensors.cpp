@@ -59,8 +59,8 @@ void check_bytes(const TensorInfo& info, std::size_t bytes, const std::string& f
     if (left > 0) left /= length;
   }
   if (left == 1 && count_of(info) * dtype_bytes(info.dtype) == bytes) return;
-  throw Error({file, info.name, described(info) + " of a known type",
-               fmt::format("{} bytes", bytes)});
+  throw Error(
+      {file, info.name, described(info) + " of a known type", fmt::format("{} bytes", bytes)});
 }
 
 std::string_view header_text(const std::string& bytes, const std::string& file) {
@@ -121,7 +121,8 @@ Safetensors Safetensors::parse(std::string bytes, const std::string& file) {
     const TensorInfo info{name, entry.text("dtype"), sizes(entry, "shape", file)};
     const auto offsets = sizes(entry, "data_offsets", file);
     if (offsets.size() != 2 || offsets[0] > offsets[1] || offsets[1] > size) {
-      throw Error({file, name + ".data_offsets", "a part of the file", entry.at("data_offsets").dump()});
+      throw Error(
+          {file, name + ".data_offsets", "a part of the file", entry.at("data_offsets").dump()});
     }
     check_bytes(info, offsets[1] - offsets[0], file);
     parts[offsets[0]] = offsets[1];
@@ -159,8 +160,9 @@ const std::vector<std::size_t>& Safetensors::shape(const std::string& name) cons
 
 std::span<const char> Safetensors::bytes_of(const TensorInfo& expected) const {
   const Place& found = place(expected.name);
-  const bool fits = std::ranges::equal(expected.shape, found.info.shape,
-                                       [](std::size_t a, std::size_t b) { return a == 0 || a == b; });
+  const bool fits =
+      std::ranges::equal(expected.shape, found.info.shape,
+                         [](std::size_t a, std::size_t b) { return a == 0 || a == b; });
   if (!fits || expected.dtype != found.info.dtype) {
     throw Error({file_, expected.name, described(expected), described(found.info)});
   }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/features/embedding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspdb/core/error.h"
+#include "net.h"
+
+namespace graspdb {
+namespace {
+
+// A picture of whole numbers with a frame of zeros, as a layer wants it.
+using Picture = std::vector<std::int16_t>;
+
+Picture first_picture(const Net& net, const HandCrop& crop) {
+  const Convolution& layer = net.layers.front();
+  Picture picture(layer.padded_side() * layer.padded_side() * layer.inputs);
+  for (std::size_t plane = 0; plane < net.planes.size(); ++plane) {
+    const CropPlane& pixels = crop.*net.planes[plane];
+    for (std::size_t i = 0; i < kCropPixels; ++i) {
+      const std::size_t x = i % kCropSide + layer.padding, y = i / kCropSide + layer.padding;
+      picture[(y * layer.padded_side() + x) * layer.inputs + plane] = pixels[i];
+    }
+  }
+  return picture;
+}
+
+// What a layer gives, cut to a byte, with the frame of the next one.
+Picture next_picture(const Convolution& layer, const Convolution& next, const Picture& picture) {
+  Picture result(next.padded_side() * next.padded_side() * next.inputs);
+  std::vector<std::int32_t> row(layer.out_side() * layer.outputs);
+  for (std::size_t y = 0; y < layer.out_side(); ++y) {
+    convolve_row(layer, picture, y, row);
+    const std::size_t start = ((y + next.padding) * next.padded_side() + next.padding) * next.inputs;
+    std::ranges::transform(row, result.begin() + static_cast<std::ptrdiff_t>(start),
+                           [](std::int32_t value) {
+                             return static_cast<std::int16_t>(std::clamp(value, 0, 255));
+                           });
+  }
+  return result;
+}
+
+std::vector<std::int64_t> last_values(const Net& net, Picture picture) {
+  for (std::size_t i = 0; i + 1 < net.layers.size(); ++i) {
+    picture = next_picture(net.layers[i], net.layers[i + 1], picture);
+  }
+  std::vector<std::int32_t> row(net.layers.back().outputs);
+  convolve_row(net.layers.back(), picture, 0, row);
+  return {row.begin(), row.begin() + static_cast<std::ptrdiff_t>(net.size)};
+}
+
+// Rounded down.
+std::int64_t square_root(std::int64_t square) {
+  auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(square)));
+  while (root * root > square) --root;
+  while ((root + 1) * (root + 1) <= square) ++root;
+  return root;
+}
+
+// Rounded to the nearest, a half away from 0.
+std::int64_t quotient(std::int64_t dividend, std::int64_t divisor) {
+  const std::int64_t half = dividend < 0 ? -divisor / 2 : divisor / 2;
+  return (dividend + half) / divisor;
+}
+
+}  // namespace
+
+struct EmbeddingNet::State {
+  Net net;
+};
+
+EmbeddingNet::EmbeddingNet(std::unique_ptr<State> state) : state_(std::move(state)) {}
+EmbeddingNet::~EmbeddingNet() = default;
+EmbeddingNet::EmbeddingNet(EmbeddingNet&&) noexcept = default;
+EmbeddingNet& EmbeddingNet::operator=(EmbeddingNet&&) noexcept = default;
+
+EmbeddingNet EmbeddingNet::load(const std::filesystem::path& file) {
+  return EmbeddingNet(std::make_unique<State>(State{load_net(file)}));
+}
+
+EmbeddingNet EmbeddingNet::parse(std::string bytes, const std::string& name) {
+  return EmbeddingNet(std::make_unique<State>(State{parse_net(std::move(bytes), name)}));
+}
+
+std::size_t EmbeddingNet::size() const {
+  return state_->net.size;
+}
+
+const std::string& EmbeddingNet::hash() const {
+  return state_->net.hash;
+}
+
+Embedding EmbeddingNet::describe(const HandCrop& crop) const {
+  const Net& net = state_->net;
+  const std::vector<std::int64_t> values = last_values(net, first_picture(net, crop));
+  std::int64_t square = 0;
+  for (const std::int64_t value : values) square += value * value;
+  const std::int64_t length = std::max(square_root(square), std::int64_t{1});
+  Embedding code(values.size());
+  std::ranges::transform(values, code.begin(), [&](std::int64_t value) {
+    return static_cast<std::uint8_t>(
+        std::clamp<std::int64_t>(128 + quotient(value * net.scale, length), 0, 255));
+  });
+  return code;
+}
+
+}  // namespace graspdb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A learned descriptor: a small net in whole numbers that turns the crop of a hand into a short
+// code. Codes of like poses lie near to each other.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "graspdb/features/crop.h"
+
+namespace graspdb {
+
+constexpr std::size_t kMostEmbeddingBytes = 128;
+using Embedding = std::vector<std::uint8_t>;
+
+// Immutable; thread-safe.
+class EmbeddingNet {
+ public:
+  // A file of weights (docs/descriptors.md). Throws Error naming file and key for one that is
+  // altered, of another version or whose parts do not fit.
+  static EmbeddingNet load(const std::filesystem::path& file);
+  // `name` stands for the file in messages.
+  static EmbeddingNet parse(std::string bytes, const std::string& name);
+  ~EmbeddingNet();
+  EmbeddingNet(EmbeddingNet&&) noexcept;
+  EmbeddingNet& operator=(EmbeddingNet&&) noexcept;
+
+  std::size_t size() const;          // bytes of a code
+  const std::string& hash() const;   // of the file: rows and queries must have one
+  // The direction of the net's last layer: 128 is 0, and the distance of two codes tells their
+  // angle. The same bytes on every processor.
+  Embedding describe(const HandCrop& crop) const;
+
+ private:
+  struct State;
+  explicit EmbeddingNet(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace graspdb

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/features/embedding.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "features/net_bytes.h"
+#include "graspdb/core/error.h"
+#include "support/instruction_sets.h"
+
+namespace graspdb {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::NetFile;
+using testing::NetLayer;
+using testing::small_net;
+
+HandCrop random_crop(std::uint64_t seed) {
+  RandomStream random(seed);
+  HandCrop crop;
+  for (CropPlane* plane : {&crop.gray, &crop.mask, &crop.scene}) {
+    for (std::uint8_t& pixel : *plane) pixel = static_cast<std::uint8_t>(random.below(256));
+  }
+  return crop;
+}
+
+// The net as docs/descriptors.md states it, number by number.
+struct Cube {
+  std::size_t side, channels;
+  std::vector<std::int64_t> values;
+  std::int64_t at(std::ptrdiff_t x, std::ptrdiff_t y, std::size_t channel) const {
+    const auto end = static_cast<std::ptrdiff_t>(side);
+    if (x < 0 || y < 0 || x >= end || y >= end) return 0;
+    return values[(static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)) * channels +
+                  channel];
+  }
+};
+
+std::int64_t product_sum(const NetLayer& layer, const Cube& in, std::size_t out, std::ptrdiff_t x,
+                         std::ptrdiff_t y) {
+  std::int64_t sum = layer.bias[out];
+  std::size_t weight = out * layer.kernel * layer.kernel * layer.inputs;
+  for (std::size_t i = 0; i < layer.kernel; ++i) {
+    for (std::size_t j = 0; j < layer.kernel; ++j) {
+      for (std::size_t c = 0; c < layer.inputs; ++c) {
+        sum += layer.weights[weight++] *
+               in.at(x + static_cast<std::ptrdiff_t>(j), y + static_cast<std::ptrdiff_t>(i), c);
+      }
+    }
+  }
+  return sum;
+}
+
+Cube plain_layer(const NetLayer& layer, const Cube& in, bool is_last) {
+  const std::size_t padded = in.side + 2 * static_cast<std::size_t>(layer.padding);
+  Cube result{(padded - layer.kernel) / static_cast<std::size_t>(layer.stride) + 1,
+              layer.outputs,
+              {}};
+  const auto side = static_cast<std::ptrdiff_t>(result.side);
+  for (std::ptrdiff_t y = 0; y < side; ++y) {
+    for (std::ptrdiff_t x = 0; x < side; ++x) {
+      for (std::size_t out = 0; out < layer.outputs; ++out) {
+        const std::int64_t sum = product_sum(layer, in, out, x * layer.stride - layer.padding,
+                                             y * layer.stride - layer.padding);
+        const auto value = static_cast<std::int64_t>(
+            std::floor((static_cast<long double>(sum) * layer.multiplier[out]) / 4294967296.0L +
+                       0.5L));
+        result.values.push_back(is_last ? value : std::clamp<std::int64_t>(value, 0, 255));
+      }
+    }
+  }
+  return result;
+}
+
+Embedding plain_code(const NetFile& file, const HandCrop& crop, double scale) {
+  Cube cube{kCropSide, 2, {}};
+  for (std::size_t i = 0; i < kCropPixels; ++i) {
+    cube.values.insert(cube.values.end(), {crop.gray[i], crop.mask[i]});
+  }
+  for (const NetLayer& layer : file.layers) {
+    cube = plain_layer(layer, cube, &layer == &file.layers.back());
+  }
+  double square = 0;
+  for (const std::int64_t value : cube.values) square += static_cast<double>(value * value);
+  Embedding code;
+  for (const std::int64_t value : cube.values) {
+    const double share = static_cast<double>(value) * scale / std::floor(std::sqrt(square));
+    code.push_back(static_cast<std::uint8_t>(std::clamp(128 + std::round(share), 0.0, 255.0)));
+  }
+  return code;
+}
+
+class EachInstructionSet : public testing::InstructionSet {};
+INSTANTIATE_TEST_SUITE_P(EmbeddingNet, EachInstructionSet, testing::each_instruction_set(),
+                         testing::instruction_set_name);
+
+TEST_P(EachInstructionSet, GivesTheCodeThatThePlainSumsGive) {
+  use_param();
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const NetFile file = small_net(seed);
+    const HandCrop crop = random_crop(seed);
+    EXPECT_EQ(EmbeddingNet::parse(file.bytes(), "net").describe(crop), plain_code(file, crop, 500));
+  }
+  use_best();
+}
+
+TEST(EmbeddingNet, ABlackPictureHasACode) {
+  NetFile file = small_net(1);
+  for (NetLayer& layer : file.layers) std::ranges::fill(layer.bias, 0);
+  const Embedding code = EmbeddingNet::parse(file.bytes(), "net").describe({});
+  EXPECT_EQ(code, Embedding(24, 128));
+}
+
+TEST(EmbeddingNet, ItsHashIsThatOfItsBytes) {
+  const std::string bytes = small_net(1).bytes();
+  EXPECT_EQ(EmbeddingNet::parse(bytes, "a").hash(), EmbeddingNet::parse(bytes, "b").hash());
+  EXPECT_NE(EmbeddingNet::parse(small_net(2).bytes(), "a").hash(),
+            EmbeddingNet::parse(bytes, "a").hash());
+}
+
+// What is wrong with a file, and what the message must name.
+struct Fault {
+  const char* name;
+  std::function<void(NetFile&)> make;
+  const char* message;
+};
+
+class FaultyNet : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(FaultyNet, IsRefusedByName) {
+  NetFile file = small_net(4);
+  GetParam().make(file);
+  try {
+    EmbeddingNet::parse(file.bytes(), "some.safetensors");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("some.safetensors"));
+    EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, FaultyNet,
+    ::testing::Values(
+        Fault{"AnotherFormat", [](NetFile& f) { f.metadata["format"] = "other"; }, "format"},
+        Fault{"AnotherVersion", [](NetFile& f) { f.metadata["format_version"] = "2"; },
+              "format_version"},
+        Fault{"NoScale", [](NetFile& f) { f.metadata.erase("embedding_scale"); },
+              "embedding_scale"},
+        Fault{"AScaleOfText", [](NetFile& f) { f.metadata["embedding_scale"] = "\"9\""; },
+              "embedding_scale"},
+        Fault{"AnUnknownPlane", [](NetFile& f) { f.metadata["planes"] = R"(["gray","depth"])"; },
+              "depth"},
+        Fault{"MorePlanesThanInputs",
+              [](NetFile& f) { f.metadata["planes"] = R"(["gray","mask","scene"])"; },
+              "layer0.weight"},
+        Fault{"ALayerForOtherInputs", [](NetFile& f) { f.layers.erase(f.layers.begin() + 1); },
+              "layer1.weight"},
+        Fault{"AKernelLargerThanThePicture", [](NetFile& f) { f.layers[2].padding = 0, f.layers[1].stride = 4; },
+              "layer2.weight"},
+        Fault{"MoreThanOnePixelAtTheEnd", [](NetFile& f) { f.layers[2].padding = 3; },
+              "one pixel"},
+        Fault{"SumsThatOverflow", [](NetFile& f) { f.layers[1].bias[3] = 2147483647; },
+              "layer1.bias"},
+        Fault{"ANegativeMultiplier", [](NetFile& f) { f.layers[1].multiplier[3] = -1; },
+              "layer1.multiplier"},
+        Fault{"NoStride", [](NetFile& f) { f.layers[0].stride = 0; }, "stride"}),
+    [](const auto& fault) { return fault.param.name; });
+
+TEST(EmbeddingNet, ATruncatedFileIsRefusedWhereverItEnds) {
+  const std::string bytes = small_net(5).bytes();
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 7) {
+    EXPECT_THROW(EmbeddingNet::parse(bytes.substr(0, size), "net"), Error);
+  }
+}
+
+}  // namespace
+}  // namespace graspdb
