@@ -5,8 +5,8 @@
 
 #include "graspdb/core/parallel.h"
 #include "graspdb/core/random.h"
-#include "graspdb/features/hog.h"
 #include "graspdb/generator/row_poses.h"
+#include "graspdb/tracker/describer.h"
 
 namespace graspdb {
 namespace {
@@ -28,11 +28,12 @@ BuildConfig between_the_steps(const Database& database) {
 
 }  // namespace
 
-std::vector<Descriptor> held_out_queries(const Database& database, int count) {
+std::vector<DescriptorBytes> held_out_queries(const Database& database, int count) {
+  const Describer describer(database);
   const RowPoses poses(between_the_steps(database));
   const auto& grasps = database.info().grasps;
   const BuildConfig& config = poses.config();
-  std::vector<Descriptor> queries(static_cast<std::size_t>(count));
+  std::vector<DescriptorBytes> queries(static_cast<std::size_t>(count));
   parallel_for(queries.size(), 0, [&](std::size_t i) {
     RandomStream random(1, i);
     const int grasp = grasps[random.below(grasps.size())].id;
@@ -42,7 +43,7 @@ std::vector<Descriptor> held_out_queries(const Database& database, int count) {
     const Camera camera = crop_camera(random_rotation(random), posed.scene.center, config.distance,
                                       posed.scene.hand_vertices, config.resolution);
     const View view = render(posed.scene.scene, camera);
-    queries[i] = describe(view.shading, visible_hand(view), config.hog);
+    queries[i] = describer.describe(view.shading, visible_hand(view));
   });
   return queries;
 }

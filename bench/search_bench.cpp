@@ -29,8 +29,8 @@ struct World {
   testing::TemporaryDirectory directory;
   Database database =
       testing::database_of(directory / "bench.graspdb", many(kRows, testing::BallHands::row));
-  std::vector<Descriptor> queries =
-      many(200, [](std::size_t i) { return testing::BallHands::query(i, 33); });
+  std::vector<DescriptorBytes> queries =
+      testing::bytes_of(many(200, [](std::size_t i) { return testing::BallHands::query(i, 33); }));
   std::unique_ptr<Search> oracle = make_exact_search(database);
 };
 
@@ -40,7 +40,7 @@ const World& world() {
 }
 
 void measure(benchmark::State& state, const Search& search) {
-  const std::vector<Descriptor>& queries = world().queries;
+  const std::vector<DescriptorBytes>& queries = world().queries;
   state.counters["recall"] = recall(search, *world().oracle, queries, kNeighbors);
   std::size_t next = 0;
   for (auto _ : state) {

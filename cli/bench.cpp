@@ -23,9 +23,9 @@ struct BenchArguments {
   bool json = false;
 };
 
-Spread time_ms(const Search& search, const std::vector<Descriptor>& queries, int k) {
+Spread time_ms(const Search& search, const std::vector<DescriptorBytes>& queries, int k) {
   std::vector<double> ms;
-  for (const Descriptor& query : queries) {
+  for (const DescriptorBytes& query : queries) {
     const Stopwatch watch;
     search.nearest(query, k);
     ms.push_back(watch.ms());

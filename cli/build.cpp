@@ -134,6 +134,10 @@ class RowOptions {
         ->transform(named<RowRenderer>(
             {{"raster", RowRenderer::kRaster}, {"embree", RowRenderer::kEmbree}}))
         ->default_str("raster");
+    const CLI::Option* descriptor =
+        add("--descriptor", &BuildConfig::descriptor,
+            "A file of weights: rows have the codes of this learned descriptor, too");
+    forget(descriptor, &BuildConfig::descriptor_hash);
     add_forearm();
     add_hog();
     add_jitters();

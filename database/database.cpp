@@ -15,16 +15,17 @@ struct Database::Mapping {
   template <typename T>
   const T* at(ColumnIndex column, std::size_t row) const {
     GRASPDB_CHECK(row < header.rows);
-    return first<T>(column) + row * std::max<std::size_t>(kColumns[column].width, 1);
+    return first<T>(column) + row * std::max<std::size_t>(columns[column].width, 1);
   }
   template <typename T>
   const T* first(ColumnIndex column) const {
-    return reinterpret_cast<const T*>(data.data() + column_offset(column, header.rows));
+    return reinterpret_cast<const T*>(data.data() + columns.offset(column, header.rows));
   }
 
   std::filesystem::path path;
   MappedFile file;
   Header header;
+  Columns columns = columns_of(header.info);
   std::span<const std::byte> data = data_bytes(file.bytes());
   std::string content = graspdb::content_hash(header.column_hashes);
 };
@@ -67,8 +68,16 @@ std::span<const std::uint8_t, kDescriptorSize> Database::hog(std::size_t row) co
   return std::span<const std::uint8_t, kDescriptorSize>(mapping_->at<std::uint8_t>(kHog, row),
                                                         kDescriptorSize);
 }
-std::span<const std::uint8_t> Database::hogs() const {
-  return {mapping_->first<std::uint8_t>(kHog), rows() * kDescriptorSize};
+DescriptorTable Database::hogs() const {
+  return {{mapping_->first<std::uint8_t>(kHog), rows() * kDescriptorSize}, kDescriptorSize};
+}
+bool Database::has_embeddings() const {
+  return info().embedding_bytes > 0;
+}
+DescriptorTable Database::descriptors() const {
+  if (!has_embeddings()) return hogs();
+  const std::size_t size = info().embedding_bytes;
+  return {{mapping_->first<std::uint8_t>(kEmbedding), rows() * size}, size};
 }
 std::uint32_t Database::view(std::size_t row) const {
   return *mapping_->at<std::uint32_t>(kView, row);

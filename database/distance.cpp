@@ -19,9 +19,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR  // a processor without any vectors that Highway knows
 
-std::uint32_t SquaredDistance(const std::uint8_t* query, const std::uint8_t* row) {
+std::uint32_t SquaredDistance(DescriptorView query, const std::uint8_t* row) {
   std::uint32_t sum = 0;
-  for (int i = 0; i < kDescriptorSize; ++i) {
+  for (std::size_t i = 0; i < query.size(); ++i) {
     const int difference = query[i] - row[i];
     sum += static_cast<std::uint32_t>(difference * difference);
   }
@@ -30,21 +30,21 @@ std::uint32_t SquaredDistance(const std::uint8_t* query, const std::uint8_t* row
 
 #else
 
-using Bytes = hn::ScalableTag<std::uint8_t>;
+using Bytes = hn::CappedTag<std::uint8_t, kEmbeddingBlock>;
 using Shorts = hn::RepartitionToWide<Bytes>;
 using SignedShorts = hn::RebindToSigned<Shorts>;
 using Sums = hn::RepartitionToWide<SignedShorts>;
 
 // |a - b| < 256 fits the positive half of 16 bits, so that its square can be summed pairwise.
-HWY_INLINE std::uint32_t SquaredDistance(const std::uint8_t* HWY_RESTRICT query,
+HWY_INLINE std::uint32_t SquaredDistance(DescriptorView query,
                                          const std::uint8_t* HWY_RESTRICT row) {
   const Bytes bytes;
   const SignedShorts shorts;
   const Sums sums;
   const auto zero = hn::Zero(bytes);
   auto low = hn::Zero(sums), high = hn::Zero(sums), more = hn::Zero(sums);
-  for (std::size_t i = 0; i < kDescriptorSize; i += hn::Lanes(bytes)) {
-    const auto a = hn::LoadU(bytes, query + i);
+  for (std::size_t i = 0; i < query.size(); i += hn::Lanes(bytes)) {
+    const auto a = hn::LoadU(bytes, query.data() + i);
     const auto b = hn::LoadU(bytes, row + i);
     const auto difference = hn::Or(hn::SaturatedSub(a, b), hn::SaturatedSub(b, a));
     const auto d0 = hn::BitCast(shorts, hn::InterleaveLower(bytes, difference, zero));
@@ -64,28 +64,28 @@ constexpr std::size_t kAhead = 16'384;
 
 // The place may lie behind the last row: fetching ahead is harmless anywhere, but a pointer may not
 // be moved there.
-HWY_INLINE void PrefetchRow(const std::uint8_t* rows, std::size_t offset) {
+HWY_INLINE void PrefetchRow(const std::uint8_t* rows, std::size_t offset, std::size_t size) {
   const std::uintptr_t row = reinterpret_cast<std::uintptr_t>(rows) + offset;
-  for (std::size_t line = 0; line < kDescriptorSize; line += 64) {
+  for (std::size_t line = 0; line < size; line += 64) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     hwy::Prefetch(reinterpret_cast<const std::uint8_t*>(row + line));
   }
 }
 
-void SquaredDistances(const std::uint8_t* query, const std::uint8_t* rows,
+void SquaredDistances(DescriptorView query, const std::uint8_t* rows,
                       std::span<std::uint32_t> squared) {
   for (std::uint32_t& value : squared) {
-    PrefetchRow(rows, kAhead);
+    PrefetchRow(rows, kAhead, query.size());
     value = SquaredDistance(query, rows);
-    rows += kDescriptorSize;
+    rows += query.size();
   }
 }
 
-void SquaredDistancesAt(const std::uint8_t* query, const std::uint8_t* rows,
+void SquaredDistancesAt(DescriptorView query, const std::uint8_t* rows,
                         std::span<const std::uint32_t> places, std::span<std::uint32_t> squared) {
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i + 8 < places.size()) PrefetchRow(rows, std::size_t{places[i + 8]} * kDescriptorSize);
-    squared[i] = SquaredDistance(query, rows + std::size_t{places[i]} * kDescriptorSize);
+    if (i + 8 < places.size()) PrefetchRow(rows, places[i + 8] * query.size(), query.size());
+    squared[i] = SquaredDistance(query, rows + places[i] * query.size());
   }
 }
 
@@ -99,15 +99,15 @@ namespace graspdb {
 HWY_EXPORT(SquaredDistances);
 HWY_EXPORT(SquaredDistancesAt);
 
-void squared_distances(const Descriptor& query, const std::uint8_t* rows,
+void squared_distances(DescriptorView query, const std::uint8_t* rows,
                        std::span<std::uint32_t> squared) {
-  HWY_DYNAMIC_DISPATCH(SquaredDistances)(query.data(), rows, squared);
+  HWY_DYNAMIC_DISPATCH(SquaredDistances)(query, rows, squared);
 }
 
-void squared_distances(const Descriptor& query, const std::uint8_t* rows,
+void squared_distances(DescriptorView query, const std::uint8_t* rows,
                        std::span<const std::uint32_t> places, std::span<std::uint32_t> squared) {
   GRASPDB_CHECK(places.size() == squared.size());
-  HWY_DYNAMIC_DISPATCH(SquaredDistancesAt)(query.data(), rows, places, squared);
+  HWY_DYNAMIC_DISPATCH(SquaredDistancesAt)(query, rows, places, squared);
 }
 
 }  // namespace graspdb

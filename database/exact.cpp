@@ -41,27 +41,28 @@ class AlignedRows {
 
 class ExactSearch : public Search {
  public:
-  explicit ExactSearch(const Database& database) : copy_(database.hogs()) {}
+  explicit ExactSearch(const Database& database)
+      : copy_(database.descriptors().bytes), size_(database.descriptors().size) {}
 
-  std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
-    return exact_nearest(copy_.rows(), query, k);
+  std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
+    return exact_nearest({copy_.rows(), size_}, query, k);
   }
 
  private:
   AlignedRows copy_;
+  std::size_t size_;
 };
 
 }  // namespace
 
-std::vector<Neighbor> exact_nearest(std::span<const std::uint8_t> rows, const Descriptor& query,
-                                    int k) {
-  GRASPDB_CHECK(k >= 0);
-  const std::size_t count = rows.size() / kDescriptorSize;
+std::vector<Neighbor> exact_nearest(const DescriptorTable& rows, DescriptorView query, int k) {
+  GRASPDB_CHECK(k >= 0 && query.size() == rows.size);
+  const std::size_t count = rows.rows();
   TopK best(std::min(static_cast<std::size_t>(k), count));
   std::array<std::uint32_t, 512> squared;  // a block's, so that they stay in the first cache
   for (std::size_t start = 0; start < count; start += squared.size()) {
     const auto block = std::span(squared).first(std::min(squared.size(), count - start));
-    squared_distances(query, rows.data() + start * kDescriptorSize, block);
+    squared_distances(query, rows.bytes.data() + start * rows.size, block);
     for (std::size_t i = 0; i < block.size(); ++i) {
       best.offer(static_cast<std::uint32_t>(start + i), block[i]);
     }
@@ -69,10 +70,10 @@ std::vector<Neighbor> exact_nearest(std::span<const std::uint8_t> rows, const De
   return best.take();
 }
 
-std::vector<Neighbor> measure(const Database& database, const Descriptor& query,
+std::vector<Neighbor> measure(const Database& database, DescriptorView query,
                               std::span<const std::uint32_t> rows) {
   std::vector<std::uint32_t> squared(rows.size());
-  squared_distances(query, database.hogs().data(), rows, squared);
+  squared_distances(query, database.descriptors().bytes.data(), rows, squared);
   std::vector<Neighbor> measured;
   measured.reserve(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) measured.push_back({rows[i], squared[i]});

@@ -11,7 +11,6 @@ namespace graspdb {
 
 // The k nearest of descriptors that lie one behind the other: exact search without its copy, for
 // the searches that fall back on it.
-std::vector<Neighbor> exact_nearest(std::span<const std::uint8_t> rows, const Descriptor& query,
-                                    int k);
+std::vector<Neighbor> exact_nearest(const DescriptorTable& rows, DescriptorView query, int k);
 
 }  // namespace graspdb

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "graspdb/database/database.h"
 
@@ -15,9 +16,10 @@ namespace graspdb {
 // Every header starts with these bytes, the version, kHashKey and the header's own hash: a reader
 // knows the file and can check all of the header before it parses anything.
 constexpr std::string_view kSignature = R"({"__metadata__":{"format":"graspdb","format_version":")";
-constexpr std::string_view kVersion = "1";
+// Of a database without embeddings, and of one that has them.
+constexpr std::string_view kPlainVersion = "1", kEmbeddingVersion = "2";
 constexpr std::string_view kHashKey = R"(","header_hash":")";
-constexpr std::size_t kHashPosition = kSignature.size() + kVersion.size() + kHashKey.size();
+constexpr std::size_t kHashPosition = kSignature.size() + kPlainVersion.size() + kHashKey.size();
 constexpr std::size_t kHashDigits = 32;
 constexpr std::size_t kPrefixBytes = 8;  // the length of the header
 constexpr std::size_t kAlignment = 64;
@@ -33,28 +35,38 @@ struct Column {
 };
 
 // In the order of the file: wide items first, so that each column is aligned for its type.
-enum ColumnIndex : std::size_t { kLabel, kBox, kView, kGrasp, kHog, kStep, kHand, kVariant };
-constexpr std::array<Column, 8> kColumns = {{
-    {"label", "F32", 4, kLabelSize, "rad"},
-    {"box", "F32", 4, 4, "tangent"},
-    {"view", "U32", 4, 0, "index of the view, from 0"},
-    {"grasp", "U16", 2, 0, "id of the grasp"},
-    {"hog", "U8", 1, kDescriptorSize, "1/255"},
-    {"step", "U8", 1, 0, "1..steps"},
-    {"hand", "U8", 1, 0, "index into hands, from 0"},
-    {"variant", "U8", 1, 0, "index into variants, from 0"},
-}};
-using ColumnHashes = std::array<std::string, kColumns.size()>;
+enum ColumnIndex : std::size_t {
+  kLabel,
+  kBox,
+  kView,
+  kGrasp,
+  kHog,
+  kStep,
+  kHand,
+  kVariant,
+  kEmbedding,
+  kMostColumns
+};
 
-// Where a column of so many rows starts in the data. The sum of all columns for kColumns.size().
-constexpr std::size_t column_offset(std::size_t column, std::size_t rows) {
-  std::size_t bytes = 0;
-  for (std::size_t i = 0; i < column; ++i) bytes += kColumns[i].row_bytes();
-  return bytes * rows;
-}
+// The columns of one database: all but the last, or all.
+class Columns {
+ public:
+  explicit Columns(std::size_t embedding_bytes);
 
-// The entry of a column in the header, as JSON.
-std::string column_json(std::size_t column, std::size_t rows);
+  std::size_t size() const { return all_[kEmbedding].width > 0 ? kMostColumns : kEmbedding; }
+  const Column& operator[](std::size_t column) const { return all_[column]; }
+  // Where a column of so many rows starts in the data. The sum of all columns for size().
+  std::size_t offset(std::size_t column, std::size_t rows) const;
+  // The entry of a column in the header, as JSON.
+  std::string json(std::size_t column, std::size_t rows) const;
+
+ private:
+  std::array<Column, kMostColumns> all_;
+};
+using ColumnHashes = std::vector<std::string>;  // one a column
+
+Columns columns_of(const DatabaseInfo& info);
+std::string_view version_of(const DatabaseInfo& info);
 
 struct Header {
   DatabaseInfo info;

@@ -34,23 +34,24 @@ std::string_view header_text(std::span<const std::byte> bytes, const std::string
   return {reinterpret_cast<const char*>(bytes.data()) + kPrefixBytes, length};
 }
 
-// Nothing of the header is believed before this has passed.
-void check_seal(std::string_view header, const std::string& file) {
+// Nothing of the header is believed before this has passed. Gives the version.
+std::string check_seal(std::string_view header, const std::string& file) {
   if (!header.starts_with(kSignature)) {
     refuse(file, "header", "a graspdb database", "another kind of file");
   }
   const std::string_view rest = header.substr(kSignature.size());
-  const std::string_view version = rest.substr(0, rest.find('"'));
-  if (version != kVersion) {
-    refuse(file, "format_version", std::string(kVersion), std::string(version.substr(0, 20)));
+  const std::string version(rest.substr(0, rest.find('"')));
+  if (version != kPlainVersion && version != kEmbeddingVersion) {
+    refuse(file, "format_version", "1 or 2", version.substr(0, 20));
   }
-  if (!rest.substr(kVersion.size()).starts_with(kHashKey) ||
+  if (!rest.substr(version.size()).starts_with(kHashKey) ||
       header.size() < kHashPosition + kHashDigits) {
     refuse(file, "header_hash", "the third entry of __metadata__", "none");
   }
   const std::string expected(header.substr(kHashPosition, kHashDigits));
   const std::string found = hash_hex(zeroed_hash(std::string(header)));
   if (found != expected) refuse(file, "header", "checksum " + expected, found);
+  return version;
 }
 
 // The number of rows, which every column must then agree with.
@@ -64,26 +65,38 @@ std::size_t read_rows(const json& root, const std::string& file) {
   return shape[0].get<std::size_t>();
 }
 
-void check_columns(const json& root, std::size_t rows, const std::string& file) {
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const std::string name(kColumns[i].name);
+// The length of the embeddings, which the header states as their shape.
+std::size_t read_embedding_bytes(const json& root, const std::string& file) {
+  const JsonFields entry(JsonFields(root, file, "header").at("embedding"), file, "embedding");
+  const json& shape = entry.at("shape");
+  const json& bytes = shape.is_array() && shape.size() == 2 ? shape[1] : shape;
+  if (bytes != kEmbeddingBlock && bytes != kMostEmbeddingBytes) {
+    refuse(file, "embedding.shape", "[rows, 64] or [rows, 128]", shape.dump());
+  }
+  return bytes.get<std::size_t>();
+}
+
+void check_columns(const json& root, const Columns& columns, std::size_t rows,
+                   const std::string& file) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::string name(columns[i].name);
     const json& found = JsonFields(root, file, "header").at(name);
-    const json expected = json::parse(column_json(i, rows));
+    const json expected = json::parse(columns.json(i, rows));
     if (found != expected) refuse(file, name, expected.dump(), found.dump());
   }
-  if (root.size() != kColumns.size() + 1) {
-    refuse(file, "header", fmt::format("{} columns", kColumns.size()),
+  if (root.size() != columns.size() + 1) {
+    refuse(file, "header", fmt::format("{} columns", columns.size()),
            fmt::format("{}", root.size() - 1));
   }
 }
 
-void check_size(std::size_t header_size, std::size_t rows, std::size_t size,
+void check_size(std::size_t header_size, std::size_t data_size, std::size_t rows, std::size_t size,
                 const std::string& file) {
   const std::size_t start = kPrefixBytes + header_size;
   if (start % kAlignment != 0) {
     refuse(file, "header", "data aligned to 64 bytes", fmt::format("data at {}", start));
   }
-  const std::size_t expected = start + column_offset(kColumns.size(), rows);
+  const std::size_t expected = start + data_size;
   if (size != expected) {
     refuse(file, "data", fmt::format("a file of {} bytes for {} rows", expected, rows),
            fmt::format("{} bytes", size));
@@ -141,6 +154,10 @@ void check_info(const DatabaseInfo& info, const std::string& file) {
       refuse(file, "grasps.id", "each once", fmt::format("{} twice", grasp.id));
     }
   }
+  if (info.embedding_bytes != 0 && info.embedding_bytes != kEmbeddingBlock &&
+      info.embedding_bytes != kMostEmbeddingBytes) {
+    refuse(file, "embedding", "64 or 128 bytes", fmt::format("{}", info.embedding_bytes));
+  }
   check_range(file, "hands", 0, 256, std::ssize(info.hands));
   check_range(file, "variants", 0, 256, std::ssize(info.variants));
   check_range(file, "steps", 1, 255, info.steps);
@@ -152,20 +169,28 @@ void check_info(const DatabaseInfo& info, const std::string& file) {
 
 Header read_header(std::span<const std::byte> bytes, const std::string& file) {
   const std::string_view text = header_text(bytes, file);
-  check_seal(text, file);
+  const std::string version = check_seal(text, file);
   const json root = parse_strict_json(text, file, "header");
   Header header;
   header.rows = read_rows(root, file);
-  check_columns(root, header.rows, file);
-  check_size(text.size(), header.rows, bytes.size(), file);
+  const bool has_embeddings = version == kEmbeddingVersion;
+  const Columns columns(has_embeddings ? read_embedding_bytes(root, file) : 0);
+  check_columns(root, columns, header.rows, file);
+  check_size(text.size(), columns.offset(columns.size(), header.rows), header.rows, bytes.size(),
+             file);
   const JsonFields metadata(JsonFields(root, file, "header").at("__metadata__"), file,
                             "__metadata__");
   header.info = read_info(metadata, file);
+  header.info.embedding_bytes = columns[kEmbedding].width;
+  if (has_embeddings) {
+    header.info.descriptor = metadata.text("descriptor");
+    header.info.weights = metadata.text("weights_hash");
+  }
   check_info(header.info, file);
   const json hashes = metadata.inner("column_hashes");
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    header.column_hashes[i] =
-        JsonFields(hashes, file, "column_hashes").text(std::string(kColumns[i].name));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    header.column_hashes.push_back(
+        JsonFields(hashes, file, "column_hashes").text(std::string(columns[i].name)));
   }
   check_hash(metadata, "content_hash", content_hash(header.column_hashes), file);
   check_hash(metadata, "config_hash", hash_hex(header.info.config), file);

@@ -25,9 +25,10 @@ ordered_json column_description(const Column& column, ColumnIndex index) {
 ordered_json metadata_json(const Header& header) {
   const DatabaseInfo& info = header.info;
   ordered_json columns, hashes, grasps = ordered_json::array(), hands = ordered_json::array();
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const std::string name(kColumns[i].name);
-    columns[name] = column_description(kColumns[i], static_cast<ColumnIndex>(i));
+  const Columns all = columns_of(info);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string name(all[i].name);
+    columns[name] = column_description(all[i], static_cast<ColumnIndex>(i));
     hashes[name] = header.column_hashes[i];
   }
   for (const GraspEntry& grasp : info.grasps) {
@@ -38,7 +39,7 @@ ordered_json metadata_json(const Header& header) {
         {"name", hand.name}, {"skeleton", ordered_json::parse(skeleton_to_json(hand.skeleton))}});
   }
   ordered_json metadata{{"format", "graspdb"},
-                        {"format_version", kVersion},
+                        {"format_version", version_of(info)},
                         {"header_hash", std::string(kHashDigits, '0')},
                         {"content_hash", content_hash(header.column_hashes)},
                         {"column_hashes", hashes.dump()},
@@ -55,14 +56,19 @@ ordered_json metadata_json(const Header& header) {
                         {"config_hash", hash_hex(info.config)},
                         {"tool", info.tool},
                         {"processor", info.processor}};
+  if (info.embedding_bytes > 0) {
+    metadata["descriptor"] = info.descriptor;
+    metadata["weights_hash"] = info.weights;
+  }
   if (!info.data_card.empty()) metadata["data_card"] = info.data_card;
   return metadata;
 }
 
 ordered_json header_json(const Header& header) {
   ordered_json root{{"__metadata__", metadata_json(header)}};
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    root[std::string(kColumns[i].name)] = ordered_json::parse(column_json(i, header.rows));
+  const Columns columns = columns_of(header.info);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    root[std::string(columns[i].name)] = ordered_json::parse(columns.json(i, header.rows));
   }
   return root;
 }
@@ -71,14 +77,6 @@ ordered_json header_json(const Header& header) {
 
 std::string content_hash(const ColumnHashes& hashes) {
   return hash_hex(fmt::format("{}", fmt::join(hashes, "")));
-}
-
-std::string column_json(std::size_t column, std::size_t rows) {
-  const auto& [name, dtype, item_bytes, width, unit] = kColumns[column];
-  const std::string shape =
-      width == 0 ? fmt::format("[{}]", rows) : fmt::format("[{},{}]", rows, width);
-  return fmt::format(R"({{"dtype":"{}","shape":{},"data_offsets":[{},{}]}})", dtype, shape,
-                     column_offset(column, rows), column_offset(column + 1, rows));
 }
 
 std::string header_bytes(const Header& header, const std::string& file) {

@@ -23,8 +23,9 @@ struct OpenPart {
         variant(part.variant) {}
 
   std::span<const std::byte> column(ColumnIndex column) const {
-    const std::size_t begin = column_offset(column, header.rows);
-    const std::size_t end = column_offset(column + 1, header.rows);
+    const Columns columns = columns_of(header.info);
+    const std::size_t begin = columns.offset(column, header.rows);
+    const std::size_t end = columns.offset(column + 1, header.rows);
     return data_bytes(file.bytes()).subspan(begin, end - begin);
   }
 };
@@ -51,6 +52,7 @@ void check_part(const DatabasePart& part, const DatabaseInfo& rows, const Databa
   const std::string& variant = whole.variants[part.variant];
   expect(rows.processor == whole.processor, "processor", whole.processor, rows.processor);
   expect(rows.hog == whole.hog, "hog", whole.hog, rows.hog);
+  expect(rows.weights == whole.weights, "weights", whole.weights, rows.weights);
   expect(rows.view_rule == whole.view_rule, "view_rule", whole.view_rule, rows.view_rule);
   expect(rows.views == whole.views, "views", number(whole.views), number(rows.views));
   expect(rows.steps == whole.steps, "steps", number(whole.steps), number(rows.steps));

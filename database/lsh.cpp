@@ -69,25 +69,27 @@ class RowSet {
 class LshSearch : public Search {
  public:
   LshSearch(const Database& database, LshIndex index)
-      : hogs_(database.hogs()), options_(index.options), hash_(index.options, index.cell) {
+      : rows_(database.descriptors()),
+        options_(index.options),
+        hash_(index.options, index.cell, rows_.size) {
     for (LshTable& table : index.tables) tables_.emplace_back(std::move(table));
   }
 
-  std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
+  std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
     GRASPDB_CHECK(k >= 0);
     const std::vector<std::uint32_t> rows = candidates(query);
-    if (rows.size() < static_cast<std::size_t>(k)) return exact_nearest(hogs_, query, k);
+    if (rows.size() < static_cast<std::size_t>(k)) return exact_nearest(rows_, query, k);
     std::vector<std::uint32_t> squared(rows.size());
-    squared_distances(query, hogs_.data(), rows, squared);
+    squared_distances(query, rows_.bytes.data(), rows, squared);
     TopK best(static_cast<std::size_t>(k));
     for (std::size_t i = 0; i < rows.size(); ++i) best.offer(rows[i], squared[i]);
     return best.take();
   }
 
  private:
-  std::vector<std::uint32_t> candidates(const Descriptor& query) const {
-    RowSet found(hogs_.size() / kDescriptorSize);
-    const Eigen::MatrixXf projected = hash_.project(query.data(), 1);
+  std::vector<std::uint32_t> candidates(DescriptorView query) const {
+    RowSet found(rows_.rows());
+    const Eigen::MatrixXf projected = hash_.project(query);
     const auto functions = static_cast<std::size_t>(options_.hashes);
     for (std::size_t table = 0; table < tables_.size(); ++table) {
       probe(table, {projected.data() + table * functions, functions}, found);
@@ -110,7 +112,7 @@ class LshSearch : public Search {
     }
   }
 
-  std::span<const std::uint8_t> hogs_;
+  DescriptorTable rows_;
   LshOptions options_;
   LshHash hash_;
   std::vector<Bucketed> tables_;

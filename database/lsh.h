@@ -15,12 +15,12 @@ namespace graspdb {
 // The hash functions of all tables: a pure function of the options and the width of a cell.
 class LshHash {
  public:
-  // `cell` is w, in units of the u8 descriptors.
-  LshHash(const LshOptions& options, double cell);
+  // `cell` is w, in units of the u8 descriptors, which are of this size.
+  LshHash(const LshOptions& options, double cell, std::size_t descriptor_size);
 
   // Column j holds a.v / w + b of descriptor j, for the functions of the first table, then of the
   // second, and so on. Descriptors lie one behind the other.
-  Eigen::MatrixXf project(const std::uint8_t* descriptors, std::size_t count) const;
+  Eigen::MatrixXf project(DescriptorView descriptors) const;
 
   // A key is a scrambled sum, so that the sum of a neighbouring cell needs one addition.
   std::uint64_t sum(std::size_t table, std::span<const float> projected) const;

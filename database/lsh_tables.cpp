@@ -31,8 +31,7 @@ double typical_distance(const Database& database) {
   const std::unique_ptr<Search> exact = make_exact_search(database);
   std::vector<double> distances(count);
   parallel_for(count, 0, [&](std::size_t i) {
-    Descriptor row;
-    std::ranges::copy(database.hog(i * database.rows() / count), row.begin());
+    const DescriptorView row = database.descriptors().row(i * database.rows() / count);
     const std::uint32_t squared = exact->nearest(row, kNeighbor + 1).back().squared_distance;
     distances[i] = std::sqrt(static_cast<double>(squared));
   });
@@ -49,8 +48,9 @@ std::vector<std::vector<std::uint64_t>> all_keys(const Database& database, const
   std::vector keys(static_cast<std::size_t>(options.tables), std::vector<std::uint64_t>(rows));
   parallel_for((rows + kBlock - 1) / kBlock, 0, [&](std::size_t block) {
     const std::size_t start = block * kBlock, size = std::min(kBlock, rows - start);
+    const auto& [bytes, bytes_each] = database.descriptors();
     const Eigen::MatrixXf projected =
-        hash.project(database.hogs().data() + start * kDescriptorSize, size);
+        hash.project(bytes.subspan(start * bytes_each, size * bytes_each));
     for (std::size_t i = 0; i < size; ++i) {
       const float* column = projected.col(static_cast<Eigen::Index>(i)).data();
       for (std::size_t table = 0; table < keys.size(); ++table) {
@@ -86,9 +86,9 @@ void check_options(const LshOptions& options) {
 
 }  // namespace
 
-LshHash::LshHash(const LshOptions& options, double cell)
+LshHash::LshHash(const LshOptions& options, double cell, std::size_t descriptor_size)
     : functions_(static_cast<std::size_t>(options.hashes)),
-      directions_(options.tables * options.hashes, kDescriptorSize),
+      directions_(options.tables * options.hashes, static_cast<Eigen::Index>(descriptor_size)),
       shifts_(options.tables * options.hashes) {
   for (int function = 0; function < directions_.rows(); ++function) {
     RandomStream random(options.seed, static_cast<std::uint64_t>(function));
@@ -100,10 +100,11 @@ LshHash::LshHash(const LshOptions& options, double cell)
   }
 }
 
-Eigen::MatrixXf LshHash::project(const std::uint8_t* descriptors, std::size_t count) const {
+Eigen::MatrixXf LshHash::project(DescriptorView descriptors) const {
   using Bytes = Eigen::Matrix<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic>;
-  const Eigen::Map<const Bytes> bytes(descriptors, kDescriptorSize,
-                                      static_cast<Eigen::Index>(count));
+  const Eigen::Map<const Bytes> bytes(
+      descriptors.data(), directions_.cols(),
+      static_cast<Eigen::Index>(descriptors.size()) / directions_.cols());
   Eigen::MatrixXf projected = directions_ * bytes.cast<float>();
   projected.colwise() += shifts_;
   return projected;
@@ -128,7 +129,8 @@ LshIndex build_lsh_index(const Database& database, const LshOptions& options) {
   LshIndex index{.options = options,
                  .cell = options.width * typical_distance(database),
                  .tables = std::vector<LshTable>(static_cast<std::size_t>(options.tables))};
-  const auto keys = all_keys(database, LshHash(options, index.cell), options);
+  const auto keys =
+      all_keys(database, LshHash(options, index.cell, database.descriptors().size), options);
   parallel_for(keys.size(), 0, [&](std::size_t i) { index.tables[i] = make_table(keys[i]); });
   return index;
 }

@@ -16,11 +16,11 @@ struct Pca {
   float deviation = 0;         // the standard deviation along the first
 };
 
-// Fits to rows spread evenly over `hogs` (at least one; at most `sample` are looked at).
+// Fits to rows spread evenly over `all` (at least one; at most `sample` are looked at).
 // Deterministic.
-Pca fit_pca(std::span<const std::uint8_t> hogs, int dimensions, std::size_t sample);
+Pca fit_pca(const DescriptorTable& all, int dimensions, std::size_t sample);
 
-// Where descriptors, one behind the other, lie along the directions: a row each.
-Eigen::MatrixXf project(const Pca& pca, const std::uint8_t* descriptors, std::size_t count);
+// Where descriptors lie along the directions: a row each.
+Eigen::MatrixXf project(const Pca& pca, const DescriptorTable& descriptors);
 
 }  // namespace graspdb

@@ -6,11 +6,11 @@
 
 namespace graspdb {
 
-double recall(const Search& search, const Search& exact, const std::vector<Descriptor>& queries,
-              int k) {
+double recall(const Search& search, const Search& exact,
+              const std::vector<DescriptorBytes>& queries, int k) {
   GRASPDB_CHECK(k > 0 && !queries.empty());
   std::size_t found = 0, wanted = 0;
-  for (const Descriptor& query : queries) {
+  for (const DescriptorBytes& query : queries) {
     const std::vector<Neighbor> truth = exact.nearest(query, k);
     if (truth.empty()) continue;
     wanted += truth.size();

@@ -36,34 +36,35 @@ void check_options(const ScanOptions& options) {
 class ScanSearch : public Search {
  public:
   ScanSearch(const Database& database, const ScanOptions& options)
-      : hogs_(database.hogs()), count_(database.rows()), options_(options) {
+      : rows_(database.descriptors()), count_(database.rows()), options_(options) {
     check_options(options);
     if (count_ == 0) return;
-    pca_ = fit_pca(hogs_, options.dimensions, kSample);
+    options_.dimensions = std::min(options.dimensions, static_cast<int>(rows_.size));
+    pca_ = fit_pca(rows_, options_.dimensions, kSample);
     // One unit for all directions, so that distances between codes follow those between
     // descriptors; what lies beyond four standard deviations is cut off.
     scale_ = 127 / (4 * std::max(pca_.deviation, 1e-3F));
     encode_all();
   }
 
-  std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
+  std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
     GRASPDB_CHECK(k >= 0);
     const auto wanted = static_cast<std::size_t>(k);
     const auto kept = std::max(static_cast<std::size_t>(options_.rerank), 4 * wanted);
-    if (kept >= count_) return exact_nearest(hogs_, query, k);
+    if (kept >= count_) return exact_nearest(rows_, query, k);
     TopK best(wanted);
     std::vector<std::uint32_t> rows = nearest_codes(query, kept);
     std::ranges::sort(rows);  // memory likes to be read in order
     std::vector<std::uint32_t> squared(rows.size());
-    squared_distances(query, hogs_.data(), rows, squared);
+    squared_distances(query, rows_.bytes.data(), rows, squared);
     for (std::size_t i = 0; i < rows.size(); ++i) best.offer(rows[i], squared[i]);
     return best.take();
   }
 
  private:
   // A row each, whole numbers from -127 to 127.
-  Eigen::MatrixXf codes_of(const std::uint8_t* descriptors, std::size_t count) const {
-    const Eigen::MatrixXf scaled = project(pca_, descriptors, count) * scale_;
+  Eigen::MatrixXf codes_of(DescriptorView descriptors) const {
+    const Eigen::MatrixXf scaled = project(pca_, {descriptors, rows_.size}) * scale_;
     return scaled.array().round().max(-127).min(127);
   }
 
@@ -73,7 +74,8 @@ class ScanSearch : public Search {
     norms_.resize(batches * kBatchRows);
     parallel_for(batches, 0, [&](std::size_t batch) {
       const std::size_t start = batch * kBatchRows, size = std::min(kBatchRows, count_ - start);
-      const Eigen::MatrixXf codes = codes_of(hogs_.data() + start * kDescriptorSize, size);
+      const Eigen::MatrixXf codes =
+          codes_of(rows_.bytes.subspan(start * rows_.size, size * rows_.size));
       for (std::size_t i = 0; i < size; ++i)
         store(start + i, codes.row(static_cast<Eigen::Index>(i)));
     });
@@ -91,8 +93,8 @@ class ScanSearch : public Search {
   }
 
   // The rows of the nearest codes, in no order.
-  std::vector<std::uint32_t> nearest_codes(const Descriptor& query, std::size_t count) const {
-    const Eigen::RowVectorXf code = codes_of(query.data(), 1);
+  std::vector<std::uint32_t> nearest_codes(DescriptorView query, std::size_t count) const {
+    const Eigen::RowVectorXf code = codes_of(query);
     std::vector<std::int32_t> pairs;
     for (Eigen::Index i = 0; i < code.size(); i += 2) {
       pairs.push_back(
@@ -125,7 +127,7 @@ class ScanSearch : public Search {
     }
   }
 
-  std::span<const std::uint8_t> hogs_;
+  DescriptorTable rows_;
   std::size_t count_;
   ScanOptions options_;
   Pca pca_;

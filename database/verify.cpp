@@ -15,13 +15,14 @@ namespace {
 void verify_columns(const std::filesystem::path& path) {
   const MappedFile file(path);
   const Header header = read_header(file.bytes(), path.string());
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const std::size_t offset = column_offset(i, header.rows);
-    const std::size_t size = column_offset(i + 1, header.rows) - offset;
+  const Columns columns = columns_of(header.info);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::size_t offset = columns.offset(i, header.rows);
+    const std::size_t size = columns.offset(i + 1, header.rows) - offset;
     const std::string found = hash_hex(data_bytes(file.bytes()).subspan(offset, size));
     if (found == header.column_hashes[i]) continue;
     throw Error({.file = path.string(),
-                 .key = std::string(kColumns[i].name),
+                 .key = std::string(columns[i].name),
                  .expected = "checksum " + header.column_hashes[i],
                  .found = found});
   }
@@ -61,7 +62,7 @@ class RowVerifier {
   [[noreturn]] void refuse(ColumnIndex column, std::size_t row, const std::string& expected,
                            const std::string& found) const {
     throw Error({.file = database_.path().string(),
-                 .key = fmt::format("{}[{}]", kColumns[column].name, row),
+                 .key = fmt::format("{}[{}]", columns_of(database_.info())[column].name, row),
                  .expected = expected,
                  .found = found});
   }

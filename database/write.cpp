@@ -29,13 +29,14 @@ const void* field(const Row& row, ColumnIndex column) {
       return &row.step;
     case kHand:
       return &row.hand;
+    case kEmbedding:
+      return row.embedding.data();
     default:
       return &row.variant;
   }
 }
 
-std::vector<std::byte> packed(std::span<const Row> rows, ColumnIndex column) {
-  const std::size_t size = kColumns[column].row_bytes();
+std::vector<std::byte> packed(std::span<const Row> rows, ColumnIndex column, std::size_t size) {
   std::vector<std::byte> bytes(size * rows.size());
   std::byte* to = bytes.data();
   for (const Row& row : rows) {
@@ -49,6 +50,7 @@ void check_row(const Row& row, const DatabaseInfo& info) {
   GRASPDB_CHECK(is_finite(row.label));
   const BoxTangents& box = row.box;
   GRASPDB_CHECK(std::isfinite(box.x + box.y) && std::isfinite(box.width + box.height));
+  GRASPDB_CHECK(row.embedding.size() == info.embedding_bytes);
   GRASPDB_CHECK(row.step >= 1 && row.step <= info.steps);
   GRASPDB_CHECK(row.view < static_cast<std::uint32_t>(info.views));
   GRASPDB_CHECK(row.hand < info.hands.size() && row.variant < info.variants.size());
@@ -61,8 +63,9 @@ void write_database(const std::filesystem::path& path, const DatabaseInfo& info,
                     std::span<const Row> rows) {
   check_info(info, path.string());
   for (const Row& row : rows) check_row(row, info);
-  write_columns(path, info, rows.size(),
-                [&](ColumnIndex column, const ByteSink& sink) { sink(packed(rows, column)); });
+  write_columns(path, info, rows.size(), [&](ColumnIndex column, const ByteSink& sink) {
+    sink(packed(rows, column, columns_of(info)[column].row_bytes()));
+  });
 }
 
 }  // namespace graspdb

@@ -23,12 +23,13 @@ void write_columns(const std::filesystem::path& path, const DatabaseInfo& info, 
   GRASPDB_CHECK(rows <= std::numeric_limits<std::uint32_t>::max());
   check_info(info, path.string());
   Header header{.info = info, .rows = rows, .column_hashes = {}};
-  for (std::size_t column = 0; column < kColumns.size(); ++column) {
-    header.column_hashes[column] = hash_of(static_cast<ColumnIndex>(column), source);
+  const std::size_t columns = columns_of(info).size();
+  for (std::size_t column = 0; column < columns; ++column) {
+    header.column_hashes.push_back(hash_of(static_cast<ColumnIndex>(column), source));
   }
   FileAside file(path);
   file.write(header_bytes(header, path.string()));
-  for (std::size_t column = 0; column < kColumns.size(); ++column) {
+  for (std::size_t column = 0; column < columns; ++column) {
     source(static_cast<ColumnIndex>(column),
            [&](std::span<const std::byte> bytes) { file.write(bytes); });
   }

@@ -22,11 +22,11 @@ class SharedSearch : public Search {
       : search_(search) {
     for (const TrackerOptions& tracker : trackers) most_ = std::max(most_, tracker.neighbors);
   }
-  std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
+  std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
     GRASPDB_CHECK(k <= most_);
-    if (!asked_ || query != query_) {
+    if (!asked_ || !std::ranges::equal(query, query_)) {
       found_ = search_.nearest(query, most_);
-      query_ = query;
+      query_.assign(query.begin(), query.end());
       asked_ = true;
     }
     const auto count = std::min(found_.size(), static_cast<std::size_t>(k));
@@ -37,7 +37,7 @@ class SharedSearch : public Search {
   const Search& search_;
   int most_ = 0;
   mutable bool asked_ = false;
-  mutable Descriptor query_{};
+  mutable DescriptorBytes query_;
   mutable std::vector<Neighbor> found_;
 };
 

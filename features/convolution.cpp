@@ -46,8 +46,8 @@ void ConvolveRow(const Convolution& layer, std::span<const std::int16_t> picture
           weight += kInputPair * kOutputBlock;
         }
       }
-      row[x * layer.outputs + out] = static_cast<std::int32_t>(
-          (sum * layer.multiplier[out] + (std::int64_t{1} << 31)) >> 32);
+      row[x * layer.outputs + out] =
+          static_cast<std::int32_t>((sum * layer.multiplier[out] + (std::int64_t{1} << 31)) >> 32);
     }
   }
 }
@@ -106,7 +106,8 @@ void ConvolveRow(const Convolution& layer, std::span<const std::int16_t> picture
                  std::span<std::int32_t> row) {
   constexpr std::size_t kMany = 8;  // pixels that share each load of weights
   const std::size_t step = layer.stride * layer.inputs, width = layer.out_side();
-  const std::int16_t* start = picture.data() + y * layer.stride * layer.padded_side() * layer.inputs;
+  const std::int16_t* start =
+      picture.data() + y * layer.stride * layer.padded_side() * layer.inputs;
   for (std::size_t out = 0; out < layer.outputs; out += hn::Lanes(Sums())) {
     std::size_t x = 0;
     for (; x + kMany <= width; x += kMany) {

@@ -32,11 +32,11 @@ Picture next_picture(const Convolution& layer, const Convolution& next, const Pi
   std::vector<std::int32_t> row(layer.out_side() * layer.outputs);
   for (std::size_t y = 0; y < layer.out_side(); ++y) {
     convolve_row(layer, picture, y, row);
-    const std::size_t start = ((y + next.padding) * next.padded_side() + next.padding) * next.inputs;
-    std::ranges::transform(row, result.begin() + static_cast<std::ptrdiff_t>(start),
-                           [](std::int32_t value) {
-                             return static_cast<std::int16_t>(std::clamp(value, 0, 255));
-                           });
+    const std::size_t start =
+        ((y + next.padding) * next.padded_side() + next.padding) * next.inputs;
+    std::ranges::transform(
+        row, result.begin() + static_cast<std::ptrdiff_t>(start),
+        [](std::int32_t value) { return static_cast<std::int16_t>(std::clamp(value, 0, 255)); });
   }
   return result;
 }

@@ -70,7 +70,8 @@ LayerTensors read_tensors(const Safetensors& file, std::size_t number) {
   LayerTensors tensors{};
   tensors.weights = file.tensor<std::int8_t>({weight, "I8", {0, 0, 0, 0}});
   const std::vector<std::size_t>& shape = file.shape(weight);
-  if (shape[1] != shape[2] || shape[1] > kCropSide || std::max(shape[0], shape[3]) > kMostChannels) {
+  if (shape[1] != shape[2] || shape[1] > kCropSide ||
+      std::max(shape[0], shape[3]) > kMostChannels) {
     throw Error({file.file(), weight,
                  fmt::format("a square kernel and up to {} channels", kMostChannels),
                  fmt::format("[{}]", fmt::join(shape, ", "))});
@@ -95,8 +96,8 @@ void check_sums(const LayerTensors& tensors, const std::string& name, const std:
       throw Error({file, name + ".bias", "sums below 2^31", fmt::format("{}", largest)});
     }
     if (tensors.multiplier[out] < 0) {
-      throw Error({file, name + ".multiplier", "0 or more",
-                   fmt::format("{}", tensors.multiplier[out])});
+      throw Error(
+          {file, name + ".multiplier", "0 or more", fmt::format("{}", tensors.multiplier[out])});
     }
   }
 }
@@ -148,7 +149,9 @@ class NetReader {
       refuse("layers", "three tensors a layer and no others", file_.tensor_count());
     }
     if (side_ != 1) refuse("layers", "one pixel at the end", side_);
-    if (channels_ > kMostEmbeddingBytes) refuse("layers", "at most 128 outputs", channels_);
+    if (channels_ > kMostEmbeddingBytes || channels_ % kEmbeddingBlock != 0) {
+      refuse("layers", "64 or 128 outputs at the end", channels_);
+    }
     net_.size = channels_;
     net_.scale = read_scale();
     return std::move(net_);
@@ -203,7 +206,8 @@ Net parse_net(std::string bytes, const std::string& name) {
 Net load_net(const std::filesystem::path& file) {
   const std::string bytes = read_text(file);
   if (bytes.size() > kMostFileBytes) {
-    throw Error({file.string(), "", "the weights of a descriptor", fmt::format("{} bytes", bytes.size())});
+    throw Error(
+        {file.string(), "", "the weights of a descriptor", fmt::format("{} bytes", bytes.size())});
   }
   return parse_net(bytes, file.string());
 }

@@ -164,6 +164,10 @@ BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
   if (const auto light = table.table_if_any("light")) config.light = read_light(*light);
   if (const auto jitter = table.table_if_any("jitter")) config.jitter = read_jitter(*jitter);
   config.hog = hog_from_name(table.string_or("hog", hog_name(config.hog)), table.file());
+  if (table.has("descriptor")) {
+    config.descriptor = found(table, "descriptor", table.string("descriptor"), beside);
+  }
+  config.descriptor_hash = table.string_or("descriptor_hash", "");
   if (table.has("hand_hashes")) config.hand_hashes = table.strings("hand_hashes");
   if (const auto hashes = table.table_if_any("grasp_hashes")) {
     config.grasp_hashes = read_grasp_hashes(*hashes);
@@ -241,6 +245,10 @@ std::string config_to_json(const BuildConfig& config) {
             {"grasp_hashes", std::move(hashes)}};
   // Without it the text is that of databases from before there was any.
   if (config.jitter.is_on()) root["jitter"] = jitter_json(config.jitter);
+  if (!config.descriptor.empty()) {
+    root["descriptor"] = portable(config.descriptor);
+    root["descriptor_hash"] = config.descriptor_hash;
+  }
   return root.dump();
 }
 

@@ -95,6 +95,15 @@ void settle_hashes(const std::vector<Grasp>& grasps, BuildConfig& config) {
   config.grasp_hashes = std::move(hashes);
 }
 
+std::shared_ptr<const EmbeddingNet> load_net(BuildConfig& config) {
+  auto net = std::make_shared<const EmbeddingNet>(EmbeddingNet::load(config.descriptor));
+  if (!config.descriptor_hash.empty()) {
+    expect_hash(config.descriptor, config.descriptor_hash, net->hash());
+  }
+  config.descriptor_hash = net->hash();
+  return net;
+}
+
 }  // namespace
 
 std::string Variant::name() const {
@@ -115,6 +124,7 @@ Plan make_plan(const BuildConfig& config, int threads) {
     parallel_for(closed.size(), threads,
                  [&](std::size_t i) { closed[i] = closed_pose(plan.grasps[i], hand); });
   }
+  if (!config.descriptor.empty()) plan.net = load_net(plan.config);
   plan.variants = variants_of(config);
   plan.views = view_rotations(config.views);
   return plan;
@@ -142,6 +152,11 @@ DatabaseInfo describe_plan(const Plan& plan) {
   info.camera_distance = plan.config.distance;
   info.view_rule = kViewRule;
   info.hog = hog_name(plan.config.hog);
+  if (plan.net) {
+    info.descriptor = plan.config.descriptor.stem().string();
+    info.weights = plan.net->hash();
+    info.embedding_bytes = plan.net->size();
+  }
   info.tool = "graspdb " GRASPDB_VERSION;
   info.processor = processor_kind();
   info.config = config_to_json(plan.config);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "graspdb/database/database.h"
+#include "graspdb/features/embedding.h"
 #include "graspdb/generator/build_config.h"
 #include "graspdb/grasps/closing.h"
 #include "graspdb/grasps/grasp.h"
@@ -33,7 +35,8 @@ struct Plan {
   JointAngles rest;
   std::vector<std::vector<GraspPose>> closed;  // [hand][grasp ordinal]
   std::vector<Variant> variants;
-  std::vector<Eigen::Matrix3d> views;  // camera_from_hand
+  std::vector<Eigen::Matrix3d> views;       // camera_from_hand
+  std::shared_ptr<const EmbeddingNet> net;  // null: rows have HOGs only
 
   std::vector<Shard> shards() const;  // in the order of their rows
   std::size_t rows_per_shard() const {

@@ -66,6 +66,7 @@ std::string shard_inputs(const Plan& plan, const Shard& shard) {
               {"diffuse", config.light.diffuse},
               {"towards_light_in_camera", numbers(config.light.towards_light_in_camera)},
               {"hog", info.hog},
+              {"weights", info.weights},
               {"jitter", jitter_of(plan, shard)}}
       .dump();
 }

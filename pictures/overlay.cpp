@@ -45,7 +45,7 @@ void draw_skeleton(cv::Mat& frame, const Estimate& estimate) {
 }
 
 // Each cell's bins as strokes along the edge that they stand for, their brightness the value.
-cv::Mat draw_hog(const Descriptor& hog, int side) {
+cv::Mat draw_hog(DescriptorView hog, int side) {
   cv::Mat picture(side, side, CV_8UC3, cv::Scalar(24, 24, 24));
   const double cell = side / 8.0;
   for (int i = 0; i < kDescriptorSize; ++i) {
@@ -60,6 +60,25 @@ cv::Mat draw_hog(const Descriptor& hog, int side) {
              cv::LINE_AA);
   }
   return picture;
+}
+
+// An embedding's bytes say nothing to the eye but how much they change: a square each.
+cv::Mat draw_embedding(DescriptorView code, int side) {
+  constexpr int kColumns = 8;
+  cv::Mat picture(side, side, CV_8UC3, cv::Scalar(24, 24, 24));
+  const int rows = static_cast<int>(code.size()) / kColumns;
+  for (int i = 0; i < static_cast<int>(code.size()); ++i) {
+    const int x = i % kColumns * side / kColumns, y = i / kColumns * side / rows;
+    cv::rectangle(picture, {x, y, side / kColumns - 2, side / rows - 2},
+                  cv::Scalar::all(code[static_cast<std::size_t>(i)]), cv::FILLED);
+  }
+  return picture;
+}
+
+cv::Mat draw_descriptor(DescriptorView descriptor, int side) {
+  if (descriptor.size() == kDescriptorSize) return draw_hog(descriptor, side);
+  if (descriptor.empty()) return {side, side, CV_8UC3, cv::Scalar(24, 24, 24)};
+  return draw_embedding(descriptor, side);
 }
 
 cv::Mat fitted(const cv::Mat& picture, int height) {
@@ -86,7 +105,8 @@ ColorImage draw_overlay(const OverlayInput& input, int height) {
   const cv::Mat estimated = input.answer ? cv::Mat(as_mat(*input.answer))
                                          : cv::Mat(height, height, CV_8UC3, cv::Scalar(24, 24, 24));
   cv::Mat panels[] = {fitted(frame, height), fitted(gray_to_color(input.estimate.hand), height),
-                      draw_hog(input.estimate.descriptor, height), fitted(estimated, height)};
+                      draw_descriptor(input.estimate.descriptor, height),
+                      fitted(estimated, height)};
   write_caption(panels[0], input.caption);
   cv::Mat joined;
   cv::hconcat(panels, 4, joined);

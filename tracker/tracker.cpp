@@ -9,6 +9,7 @@
 #include "candidate.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/stopwatch.h"
+#include "graspdb/features/hog.h"
 #include "graspdb/hand/label.h"
 #include "successors.h"
 
@@ -31,11 +32,12 @@ double confidence_at(double distance) {
 
 }  // namespace
 
-Tracker::Tracker(const Database& database, const Search& search, const TrackerOptions& options)
+Tracker::Tracker(const Database& database, const Search& search, const TrackerOptions& options,
+                 std::shared_ptr<const Describer> describer)
     : database_(database),
       search_(search),
       options_(options),
-      hog_(hog_from_name(database.info().hog, database.path().string())) {
+      describer_(describer ? std::move(describer) : std::make_shared<Describer>(database)) {
   check_options(options);
   if (options.temporal == TemporalModel::kSuccessors)
     successors_ = std::make_unique<Successors>(database);
@@ -56,7 +58,7 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   const std::optional<Box> box = tight_box(seen.hand);
   if (!box) return false;
   estimate.box = *box;
-  estimate.descriptor = describe(seen.gray, seen.hand, hog_);
+  estimate.descriptor = describer_->describe(seen.gray, seen.hand);
   estimate.ms.describe = watch.lap_ms();
   const std::vector<Neighbor> neighbors = neighbors_of(estimate.descriptor);
   estimate.ms.search = watch.lap_ms();
@@ -74,7 +76,7 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
 }
 
 // The nearest rows, and what the last hypotheses may have become; nearest first, ties by row.
-std::vector<Neighbor> Tracker::neighbors_of(const Descriptor& query) const {
+std::vector<Neighbor> Tracker::neighbors_of(DescriptorView query) const {
   std::vector<Neighbor> found = search_.nearest(query, options_.neighbors);
   if (!successors_ || previous_.empty()) return found;
   std::vector<std::uint32_t> rows;

@@ -49,7 +49,7 @@ TEST(Database, GivesBackEveryValueOfEveryRow) {
     EXPECT_EQ(database.hand(i), row.hand);
     EXPECT_EQ(database.box(i), row.box);
     EXPECT_EQ(database.variant(i), row.variant);
-    EXPECT_EQ(database.hogs()[i * kDescriptorSize + 7], row.hog[7]);
+    EXPECT_EQ(database.hogs().row(i)[7], row.hog[7]);
   }
   EXPECT_NO_THROW(verify_database(directory / "a.graspdb"));
 }
@@ -84,7 +84,7 @@ TEST(Database, MayHaveNoRows) {
   write_database(directory / "empty.graspdb", toy_info(), {});
   const Database database = Database::open(directory / "empty.graspdb");
   EXPECT_EQ(database.rows(), 0u);
-  EXPECT_TRUE(database.hogs().empty());
+  EXPECT_TRUE(database.hogs().bytes.empty());
   EXPECT_THROW(database.step(0), std::logic_error);
   EXPECT_NO_THROW(verify_database(directory / "empty.graspdb"));
 }

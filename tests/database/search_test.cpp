@@ -17,6 +17,7 @@ namespace graspdb {
 namespace {
 
 using testing::BallHands;
+using testing::bytes_of;
 using testing::database_of;
 using testing::TemporaryDirectory;
 
@@ -149,8 +150,9 @@ class LshTest : public ::testing::Test {
 };
 
 TEST_F(LshTest, FindsNineOfTenNeighborsByDefault) {
-  EXPECT_GE(recall(*make_lsh_search(database_), *make_exact_search(database_), queries(40), 20),
-            0.9);
+  EXPECT_GE(
+      recall(*make_lsh_search(database_), *make_exact_search(database_), bytes_of(queries(40)), 20),
+      0.9);
 }
 
 TEST_F(LshTest, FindsARowItself) {
@@ -164,7 +166,7 @@ TEST_F(LshTest, MoreTablesAndMoreProbesFindMore) {
   const std::unique_ptr<Search> exact = make_exact_search(database_);
   const auto found = [&](int tables, int probes) {
     const LshOptions options{.tables = tables, .hashes = 8, .width = 3, .probes = probes};
-    return recall(*make_lsh_search(database_, options), *exact, queries(40), 1);
+    return recall(*make_lsh_search(database_, options), *exact, bytes_of(queries(40)), 1);
   };
   // One neighbour is asked for, lest the search turns exact.
   EXPECT_LT(found(1, 4), 0.5);
@@ -216,10 +218,10 @@ TEST_F(LshTest, OptionsOutOfRangeAreRefusedByName) {
 
 TEST_F(LshTest, ScanFindsNearlyEveryNeighbor) {
   const std::unique_ptr<Search> exact = make_exact_search(database_);
-  EXPECT_GE(recall(*make_scan_search(database_), *exact, queries(40), 20), 0.99);
+  EXPECT_GE(recall(*make_scan_search(database_), *exact, bytes_of(queries(40)), 20), 0.99);
   const std::unique_ptr<Search> coarse =
       make_scan_search(database_, {.dimensions = 6, .rerank = 80});
-  EXPECT_LT(recall(*coarse, *exact, queries(40), 20), 0.9) << "the test is too easy";
+  EXPECT_LT(recall(*coarse, *exact, bytes_of(queries(40)), 20), 0.9) << "the test is too easy";
 }
 
 TEST_F(LshTest, ScanOptionsOutOfRangeAreRefusedByName) {
@@ -232,7 +234,7 @@ TEST_F(LshTest, ScanOptionsOutOfRangeAreRefusedByName) {
 TEST_F(LshTest, EverySearchOpensByItsNameAndNoOther) {
   const std::unique_ptr<Search> exact = open_search(database_, "exact");
   for (const std::string& name : search_names())
-    EXPECT_GE(recall(*open_search(database_, name), *exact, queries(20), 5), 0.9) << name;
+    EXPECT_GE(recall(*open_search(database_, name), *exact, bytes_of(queries(20)), 5), 0.9) << name;
   try {
     open_search(database_, "ann");
     ADD_FAILURE() << "accepted";
@@ -247,7 +249,7 @@ TEST(Recall, IsTheShareOfTheTrueNeighborsThatWereFound) {
   class EvenRows : public Search {
    public:
     explicit EvenRows(const Search& exact) : exact_(exact) {}
-    std::vector<Neighbor> nearest(const Descriptor& query, int k) const override {
+    std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
       std::vector<Neighbor> found = exact_.nearest(query, 2 * k);
       std::erase_if(found, [](const Neighbor& neighbor) { return neighbor.row % 2 == 1; });
       return found;
@@ -261,8 +263,8 @@ TEST(Recall, IsTheShareOfTheTrueNeighborsThatWereFound) {
                                           return Descriptor{static_cast<std::uint8_t>(i)};
                                         }));
   const std::unique_ptr<Search> exact = make_exact_search(database);
-  EXPECT_EQ(recall(*exact, *exact, {Descriptor{}}, 10), 1);
-  EXPECT_EQ(recall(EvenRows(*exact), *exact, {Descriptor{}}, 10), 0.5);
+  EXPECT_EQ(recall(*exact, *exact, bytes_of({Descriptor{}}), 10), 1);
+  EXPECT_EQ(recall(EvenRows(*exact), *exact, bytes_of({Descriptor{}}), 10), 0.5);
 }
 
 }  // namespace

@@ -23,12 +23,12 @@ double sampled(const std::function<double(int, int)>& value, const Picture& pict
   for (int i = 0; i < kPoints; ++i) {
     for (int j = 0; j < kPoints; ++j) {
       const double step = static_cast<double>(square.side) / kCropSide;
-      const int column = static_cast<int>(
-          std::floor(square.left_x2 / 2.0 + (x + (j + 0.5) / kPoints) * step));
+      const int column =
+          static_cast<int>(std::floor(square.left_x2 / 2.0 + (x + (j + 0.5) / kPoints) * step));
       const int row =
           static_cast<int>(std::floor(square.top_x2 / 2.0 + (y + (i + 0.5) / kPoints) * step));
-      const bool inside = column >= 0 && row >= 0 && column < picture.gray.width() &&
-                          row < picture.gray.height();
+      const bool inside =
+          column >= 0 && row >= 0 && column < picture.gray.width() && row < picture.gray.height();
       if (inside) sum += value(column, row);
     }
   }
@@ -53,9 +53,9 @@ TEST(CropHand, ShowsWhatLiesUnderEachPixel) {
     for (int i = 0; i < 40; ++i) {
       const int x = i * 37 % kCropSide, y = i * 23 % kCropSide;
       const auto at = static_cast<std::size_t>(y * kCropSide + x);
-      const double covered = sampled(
-          [&](int u, int v) { return picture.mask.at(u, v) != 0 ? 255.0 : 0.0; }, picture, square,
-          x, y);
+      const double covered =
+          sampled([&](int u, int v) { return picture.mask.at(u, v) != 0 ? 255.0 : 0.0; }, picture,
+                  square, x, y);
       EXPECT_NEAR(crop.mask[at], covered, 4) << size << ": " << x << ", " << y;
     }
   }

@@ -21,8 +21,8 @@ struct NetLayer {
 };
 
 // Sums become about as large as a byte.
-inline NetLayer random_layer(std::size_t outputs, std::size_t kernel, std::size_t inputs, int stride,
-                             int padding, RandomStream& random) {
+inline NetLayer random_layer(std::size_t outputs, std::size_t kernel, std::size_t inputs,
+                             int stride, int padding, RandomStream& random) {
   NetLayer layer{outputs, kernel, inputs, stride, padding, {}, {}, {}};
   const std::size_t products = kernel * kernel * inputs;
   for (std::size_t i = 0; i < outputs * products; ++i) {
@@ -48,7 +48,8 @@ struct NetFile {
     std::string data;
     nlohmann::json table = nlohmann::json::array();
     const auto add = [&]<typename T>(const std::string& name, const char* dtype,
-                                     std::vector<std::size_t> shape, const std::vector<T>& numbers) {
+                                     std::vector<std::size_t> shape,
+                                     const std::vector<T>& numbers) {
       tensors.push_back({name, dtype, std::move(shape)});
       data.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
     };
@@ -72,7 +73,7 @@ inline NetFile small_net(std::uint64_t seed) {
   RandomStream random(seed);
   NetFile file;
   file.layers = {random_layer(9, 5, 2, 3, 1, random), random_layer(20, 3, 9, 2, 1, random),
-                 random_layer(24, 11, 20, 1, 0, random)};
+                 random_layer(64, 11, 20, 1, 0, random)};
   return file;
 }
 

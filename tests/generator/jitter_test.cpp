@@ -48,8 +48,9 @@ std::vector<float> label_of(const Database& database, std::size_t row) {
 
 double mean_hog_difference(const Database& a, const Database& b) {
   double sum = 0;
-  for (std::size_t i = 0; i < a.hogs().size(); ++i) sum += std::abs(a.hogs()[i] - b.hogs()[i]);
-  return sum / static_cast<double>(a.hogs().size());
+  const DescriptorView of_a = a.hogs().bytes, of_b = b.hogs().bytes;
+  for (std::size_t i = 0; i < of_a.size(); ++i) sum += std::abs(of_a[i] - of_b[i]);
+  return sum / static_cast<double>(of_a.size());
 }
 
 // The largest difference between the two's angles first..last, degrees.

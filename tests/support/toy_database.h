@@ -54,6 +54,14 @@ inline std::vector<Row> toy_rows(std::size_t count) {
   return rows;
 }
 
+inline std::vector<DescriptorBytes> bytes_of(const std::vector<Descriptor>& descriptors) {
+  std::vector<DescriptorBytes> all;
+  for (const Descriptor& descriptor : descriptors) {
+    all.emplace_back(descriptor.begin(), descriptor.end());
+  }
+  return all;
+}
+
 // Writes rows with these descriptors (for the tests of searching) and opens them.
 inline Database database_of(const std::filesystem::path& path,
                             const std::vector<Descriptor>& descriptors) {

@@ -80,7 +80,7 @@ TEST_F(BarTracker, ThePastDecidesWhatThePictureLeavesOpen) {
 class OneRow : public Search {
  public:
   OneRow(const Database& database, std::uint32_t row) : database_(database), row_(row) {}
-  std::vector<Neighbor> nearest(const Descriptor& query, int /*k*/) const override {
+  std::vector<Neighbor> nearest(DescriptorView query, int /*k*/) const override {
     return measure(database_, query, std::span(&row_, 1));
   }
 

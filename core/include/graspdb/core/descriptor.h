@@ -2,13 +2,33 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace graspdb {
 
 // A HOG of 8 x 8 cells of 8 orientation bins; cells row by row, bins fastest. 255 stands for 1.
 constexpr int kDescriptorSize = 512;
 using Descriptor = std::array<std::uint8_t, kDescriptorSize>;
+
+// A learned descriptor's code of a picture: a direction, with 128 for 0.
+constexpr std::size_t kEmbeddingBlock = 64, kMostEmbeddingBytes = 128;  // its size: 64 or 128
+using Embedding = std::vector<std::uint8_t>;
+
+// The bytes of either.
+using DescriptorBytes = std::vector<std::uint8_t>;
+using DescriptorView = std::span<const std::uint8_t>;
+
+// Those of many rows, one behind the other.
+struct DescriptorTable {
+  DescriptorView bytes;
+  std::size_t size = kDescriptorSize;  // of one: 64, 128 or 512
+
+  std::size_t rows() const { return bytes.size() / size; }
+  DescriptorView row(std::size_t row) const { return bytes.subspan(row * size, size); }
+};
 
 // Where a row's visible hand lies in its own picture, in tangents from the ray to the palm centre:
 // what a camera one metre away would see, in metres.

@@ -34,11 +34,14 @@ struct DatabaseInfo {
   std::vector<std::string> variants;  // "held", "free"
   int steps = 0;
   int views = 0;
-  double camera_distance = 0;  // from the camera to the palm centre, metres
-  std::string view_rule;       // e.g. "super-fibonacci"
-  std::string hog;             // the name of the descriptor's options
-  std::string config;          // the whole configuration, JSON
-  std::string tool;            // e.g. "graspdb 0.1.0"
+  double camera_distance = 0;       // from the camera to the palm centre, metres
+  std::string view_rule;            // e.g. "super-fibonacci"
+  std::string hog;                  // the name of the HOG's options
+  std::size_t embedding_bytes = 0;  // of a learned descriptor's code; 0: there are none
+  std::string descriptor;           // its name
+  std::string weights;              // the hash of its file of weights
+  std::string config;               // the whole configuration, JSON
+  std::string tool;                 // e.g. "graspdb 0.1.0"
   std::string processor;  // the kind that made the rows, where that can change a bit; else empty
   // What the database is and under which licences, JSON (docs/data-card.md); may be empty, as it is
   // in files from before there was one.
@@ -55,6 +58,7 @@ struct Row {
   std::uint32_t view = 0;
   std::uint16_t grasp = 0;  // the grasp's id
   Descriptor hog{};
+  Embedding embedding;       // empty in a database without
   std::uint8_t step = 0;     // 1..steps
   std::uint8_t hand = 0;     // index into info.hands
   std::uint8_t variant = 0;  // index into info.variants
@@ -99,7 +103,10 @@ class Database {
   LabelView label(std::size_t row) const;
   BoxTangents box(std::size_t row) const;
   std::span<const std::uint8_t, kDescriptorSize> hog(std::size_t row) const;
-  std::span<const std::uint8_t> hogs() const;  // rows() x 512
+  DescriptorTable hogs() const;
+  bool has_embeddings() const;
+  DescriptorTable descriptors()
+      const;  // what is searched: embeddings, or HOGs where there are none
   std::uint32_t view(std::size_t row) const;
   std::uint16_t grasp(std::size_t row) const;  // id
   std::uint8_t step(std::size_t row) const;

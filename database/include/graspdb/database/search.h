@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nearest neighbours among a database's descriptors.
+// Nearest neighbours among a database's descriptors: embeddings where it has them, else HOGs.
 #pragma once
 
 #include <cstdint>
@@ -24,16 +24,17 @@ class Search {
  public:
   virtual ~Search() = default;
   // The k >= 0 nearest rows (fewer when the database has fewer), nearest first, ties by row.
-  virtual std::vector<Neighbor> nearest(const Descriptor& query, int k) const = 0;
+  // The query is of the kind that Database::descriptors() holds.
+  virtual std::vector<Neighbor> nearest(DescriptorView query, int k) const = 0;
 };
 
 // The share of the k nearest rows, over these queries, that `search` finds too: 1 is perfect. Rows
 // as near as the k-th count as found, whichever of them `search` gives.
-double recall(const Search& search, const Search& exact, const std::vector<Descriptor>& queries,
-              int k);
+double recall(const Search& search, const Search& exact,
+              const std::vector<DescriptorBytes>& queries, int k);
 
 // The exact distances to these rows of the database, in their order. `rows` are rows of it.
-std::vector<Neighbor> measure(const Database& database, const Descriptor& query,
+std::vector<Neighbor> measure(const Database& database, DescriptorView query,
                               std::span<const std::uint32_t> rows);
 
 // Compares with every row in integers: the same answer on every processor. The oracle. Keeps a copy
@@ -44,7 +45,7 @@ std::unique_ptr<Search> make_exact_search(const Database& database);
 // every row, then re-ranks the best by exact distance: needs a quarter of the memory traffic of
 // exact, and finds nearly the same. Making it reads the whole database.
 struct ScanOptions {
-  int dimensions = 128;  // of a code, even, 2 to 512
+  int dimensions = 128;  // of a code, even, 2 to 512; no more than the descriptor has
   int rerank = 400;      // rows that are compared exactly, at least 1; never fewer than 4 k
 };
 // Throws Error that names an option out of range.

@@ -10,14 +10,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "graspdb/core/descriptor.h"
 #include "graspdb/features/crop.h"
 
 namespace graspdb {
-
-constexpr std::size_t kMostEmbeddingBytes = 128;
-using Embedding = std::vector<std::uint8_t>;
 
 // Immutable; thread-safe.
 class EmbeddingNet {
@@ -31,8 +28,8 @@ class EmbeddingNet {
   EmbeddingNet(EmbeddingNet&&) noexcept;
   EmbeddingNet& operator=(EmbeddingNet&&) noexcept;
 
-  std::size_t size() const;          // bytes of a code
-  const std::string& hash() const;   // of the file: rows and queries must have one
+  std::size_t size() const;         // bytes of a code
+  const std::string& hash() const;  // of the file: rows and queries must have one
   // The direction of the net's last layer: 128 is 0, and the distance of two codes tells their
   // angle. The same bytes on every processor.
   Embedding describe(const HandCrop& crop) const;

@@ -47,12 +47,14 @@ struct BuildConfig {
   RowRenderer renderer = RowRenderer::kRaster;
   Light light;
   HogMode hog = HogMode::kSoftEdges;
+  std::filesystem::path descriptor;  // a file of weights: rows have embeddings, too; may be empty
   Jitter jitter;
 
   // Of a configuration that was read from a database: what its files were. A build refuses files
   // that have changed. Empty: any will do.
   std::vector<std::string> hand_hashes;     // one a hand
   std::map<int, std::string> grasp_hashes;  // by grasp id
+  std::string descriptor_hash;
 };
 
 // The name by which configurations know it.

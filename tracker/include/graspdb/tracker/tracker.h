@@ -16,8 +16,8 @@
 #include "graspdb/core/image.h"
 #include "graspdb/database/database.h"
 #include "graspdb/database/search.h"
-#include "graspdb/features/hog.h"
 #include "graspdb/hand/skeleton.h"
+#include "graspdb/tracker/describer.h"
 #include "graspdb/tracker/pose_vector.h"
 
 namespace graspdb {
@@ -105,10 +105,10 @@ struct Estimate {
   // How likely the rotation is right to 30 degrees, by the distance of the nearest descriptor.
   double confidence = 0;
   // What was seen.
-  bool colorless = false;  // HandReader's: no hand, as there is no colour to find it by
-  Mask hand;               // HandReader's
-  Box box;                 // of the mask, pixels; empty without one
-  Descriptor descriptor;   // of the mask's pixels; of a left hand in the mirror
+  bool colorless = false;      // HandReader's: no hand, as there is no colour to find it by
+  Mask hand;                   // HandReader's
+  Box box;                     // of the mask, pixels; empty without one
+  DescriptorBytes descriptor;  // of the mask's pixels; of a left hand in the mirror
   // The answer: the heaviest hypothesis.
   std::uint32_t row = 0;
   double distance = 0;           // of the nearest descriptor
@@ -130,8 +130,10 @@ class Successors;
 // and search must outlive it.
 class Tracker {
  public:
-  // Throws Error as check_options does, and for a database of a descriptor that is not known.
-  Tracker(const Database& database, const Search& search, const TrackerOptions& options);
+  // Trackers may share a describer; one that is given none makes its own. Throws Error as
+  // check_options and Describer do.
+  Tracker(const Database& database, const Search& search, const TrackerOptions& options,
+          std::shared_ptr<const Describer> describer = nullptr);
   ~Tracker();
   Tracker(Tracker&&) noexcept;
 
@@ -143,7 +145,7 @@ class Tracker {
   struct Candidate;
 
   bool read(const Observation& seen, Estimate& estimate);
-  std::vector<Neighbor> neighbors_of(const Descriptor& query) const;
+  std::vector<Neighbor> neighbors_of(DescriptorView query) const;
   std::vector<Candidate> look_up(const std::vector<Neighbor>& neighbors, const Box& box,
                                  const Intrinsics& camera) const;
   void check_row(std::uint32_t row) const;
@@ -156,7 +158,7 @@ class Tracker {
   const Database& database_;
   const Search& search_;
   TrackerOptions options_;
-  HogMode hog_;
+  std::shared_ptr<const Describer> describer_;
   std::unique_ptr<const Successors> successors_;  // of kSuccessors
   std::vector<Candidate> previous_;               // heaviest first
 };
