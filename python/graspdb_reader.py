@@ -52,8 +52,8 @@ def read_header(path):
             raise ValueError(f"{path}: not a graspdb database, or cut short")
         header = json.loads(file.read(length))
     metadata = header.get("__metadata__", {})
-    if (metadata.get("format"), metadata.get("format_version")) != ("graspdb", "1"):
-        raise ValueError(f"{path}: not a graspdb database of version 1")
+    if metadata.get("format") != "graspdb" or metadata.get("format_version") not in ("1", "2"):
+        raise ValueError(f"{path}: not a graspdb database of version 1 or 2")
     return header, 8 + length
 
 
