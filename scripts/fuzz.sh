@@ -57,4 +57,5 @@ fuzz picture
 fuzz pose
 fuzz rig_map assets/hands/*.rig.toml
 fuzz sequence sequences/*/*.seq.toml
+fuzz weights
 fuzz written_sequence
