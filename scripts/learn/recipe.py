@@ -17,6 +17,7 @@ class Recipe:
     seed: int = 0
     crops: int = 6_000_000
     batch: int = 256
+    parts: int = 2  # of a batch, each with statistics of its own: one a processor
     shard: int = 20_000
     rate: float = 3e-3
     warm_up: float = 0.05  # share of the training in which the rate rises
