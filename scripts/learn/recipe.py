@@ -11,12 +11,12 @@ from net import layers_from
 
 @dataclasses.dataclass(frozen=True)
 class Recipe:
-    layers: str = "5x16/2 3x32/2 3x32 3x64/2 3x64 3x128/2 3x128"
+    layers: str = "5x16/2 3x32/2 3x32 3x64/2 3x64 3x64 3x128/2 3x128 3x128"
     planes: tuple = ("gray", "mask")
     size: int = 128
     seed: int = 0
     crops: int = 6_000_000
-    batch: int = 256
+    batch: int = 512
     parts: int = 2  # of a batch, each with statistics of its own: one a processor
     shard: int = 20_000
     rate: float = 3e-3
