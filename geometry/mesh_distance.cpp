@@ -18,15 +18,19 @@ double angle_at(const Eigen::Vector3d& apex, const Eigen::Vector3d& a, const Eig
   return std::atan2((a - apex).cross(b - apex).norm(), (a - apex).dot(b - apex));
 }
 
-double distance2(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& point) {
-  return (box.min() - point).cwiseMax(point - box.max()).cwiseMax(0).squaredNorm();
+double distance2(const Eigen::AlignedBox3f& box, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d low = box.min().cast<double>(), high = box.max().cast<double>();
+  return (low - point).cwiseMax(point - high).cwiseMax(0).squaredNorm();
 }
 
 }  // namespace
 
 MeshDistance::MeshDistance(const Mesh& mesh) {
   GRASPDB_CHECK(!mesh.triangles.empty());
-  for (const Triangle& t : mesh.triangles) triangles_.push_back(corners_of(mesh, t));
+  const auto stored = [&](const Triangle& t) {
+    return StoredCorners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+  };
+  for (const Triangle& t : mesh.triangles) triangles_.push_back(stored(t));
   std::vector<std::uint32_t> order(triangles_.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   nodes_.emplace_back();
@@ -34,7 +38,7 @@ MeshDistance::MeshDistance(const Mesh& mesh) {
   std::vector<std::uint32_t> places(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) places[order[i]] = i;
   for (std::uint32_t i = 0; i < order.size(); ++i) {
-    triangles_[i] = corners_of(mesh, mesh.triangles[order[i]]);
+    triangles_[i] = stored(mesh.triangles[order[i]]);
   }
   find_surroundings(mesh, places);
 }
@@ -45,7 +49,7 @@ void MeshDistance::find_surroundings(const Mesh& mesh, std::span<const std::uint
   vertex_normals_.resize(mesh.vertices.size(), Eigen::Vector3d::Zero());
   for (std::size_t f = 0; f < triangles_.size(); ++f) {
     const Triangle& t = mesh.triangles[f];
-    const Corners& c = triangles_[places[f]];
+    const Corners c = corners(places[f]);
     const Eigen::Vector3d normal = face_normal(places[f]);
     for (std::size_t i = 0; i < 3; ++i) {
       vertex_normals_[t[i]] += angle_at(c[i], c[(i + 1) % 3], c[(i + 2) % 3]) * normal;
@@ -61,19 +65,25 @@ void MeshDistance::find_surroundings(const Mesh& mesh, std::span<const std::uint
   });
 }
 
+Corners MeshDistance::corners(std::uint32_t triangle) const {
+  const auto& [a, b, c] = triangles_[triangle];
+  return {a.cast<double>(), b.cast<double>(), c.cast<double>()};
+}
+
 Eigen::Vector3d MeshDistance::face_normal(std::uint32_t triangle) const {
-  return normal_of(triangles_[triangle]).normalized();
+  return normal_of(corners(triangle)).normalized();
 }
 
 // `part` is of the triangles' order, from `begin` on.
 void MeshDistance::split(std::uint32_t node, std::uint32_t begin, std::span<std::uint32_t> part) {
-  Eigen::AlignedBox3d box, middles;
+  Eigen::AlignedBox3f box;
+  Eigen::AlignedBox3d middles;
   const auto middle = [this](std::uint32_t t) {
-    const Corners& c = triangles_[t];
+    const Corners c = corners(t);
     return Eigen::Vector3d(c[0] + c[1] + c[2]);
   };
   for (const std::uint32_t t : part) {
-    for (const Eigen::Vector3d& corner : triangles_[t]) box.extend(corner);
+    for (const Eigen::Vector3f& corner : triangles_[t]) box.extend(corner);
     middles.extend(middle(t));
   }
   nodes_[node].box = box;
@@ -117,7 +127,7 @@ MeshDistance::Nearest MeshDistance::nearest(const Eigen::Vector3d& point, double
     if (away2 >= nearest2) continue;
     const Node& node = nodes_[index];
     for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
-      const NearestOnTriangle found = nearest_on_triangle(point, triangles_[t]);
+      const NearestOnTriangle found = nearest_on_triangle(point, corners(t));
       const double found2 = (point - found.point).squaredNorm();
       if (found2 < nearest2) nearest2 = found2, nearest = found, triangle = t;
     }

@@ -12,6 +12,7 @@ namespace graspdb {
 NearestPoint::NearestPoint(std::vector<Eigen::Vector3f> points) : points_(std::move(points)) {
   GRASPDB_CHECK(!points_.empty());
   sort(points_, 0);
+  for (const Eigen::Vector3f& point : points_) box_.extend(point);
 }
 
 // The middle one parts the others along the axis.
@@ -26,18 +27,32 @@ void NearestPoint::sort(std::span<Eigen::Vector3f> part, int axis) {
 
 double NearestPoint::distance(const Eigen::Vector3d& to) const {
   float nearest2 = std::numeric_limits<float>::infinity();
-  search(points_, 0, to.cast<float>(), nearest2);
+  search(points_, 0, box_, to.cast<float>(), nearest2);
   return std::sqrt(static_cast<double>(nearest2));
 }
 
-void NearestPoint::search(Part part, int axis, const Eigen::Vector3f& to, float& nearest2) {
+// All of `part` lies in `box`: summed up like its points, the box is never the further one.
+void NearestPoint::search(Part part, int axis, const Eigen::AlignedBox3f& box,
+                          const Eigen::Vector3f& to, float& nearest2) {
   if (part.empty()) return;
+  const Eigen::Vector3f away = (box.min() - to).cwiseMax(to - box.max()).cwiseMax(0);
+  if (away.squaredNorm() >= nearest2) return;
   const std::size_t middle = part.size() / 2;
   nearest2 = std::min(nearest2, (part[middle] - to).squaredNorm());
-  const float beyond = to[axis] - part[middle][axis];
-  const Part low = part.first(middle), high = part.subspan(middle + 1);
-  search(beyond < 0 ? low : high, (axis + 1) % 3, to, nearest2);
-  if (beyond * beyond < nearest2) search(beyond < 0 ? high : low, (axis + 1) % 3, to, nearest2);
+  const float border = part[middle][axis];
+  Eigen::AlignedBox3f low = box, high = box;
+  low.max()[axis] = high.min()[axis] = border;
+  const auto search_low = [&] { search(part.first(middle), (axis + 1) % 3, low, to, nearest2); };
+  const auto search_high = [&] {
+    search(part.subspan(middle + 1), (axis + 1) % 3, high, to, nearest2);
+  };
+  if (to[axis] < border) {
+    search_low();
+    search_high();
+  } else {
+    search_high();
+    search_low();
+  }
 }
 
 }  // namespace graspdb

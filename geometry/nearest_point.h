@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <span>
 #include <vector>
 
@@ -17,9 +17,11 @@ class NearestPoint {
  private:
   using Part = std::span<const Eigen::Vector3f>;
   static void sort(std::span<Eigen::Vector3f> part, int axis);
-  static void search(Part part, int axis, const Eigen::Vector3f& to, float& nearest2);
+  static void search(Part part, int axis, const Eigen::AlignedBox3f& box, const Eigen::Vector3f& to,
+                     float& nearest2);
 
   std::vector<Eigen::Vector3f> points_;
+  Eigen::AlignedBox3f box_;
 };
 
 }  // namespace graspdb

@@ -11,19 +11,32 @@
 namespace graspdb {
 namespace {
 
-std::vector<TriangleSide> sides_by_edge(std::span<const Triangle> triangles) {
-  std::vector<TriangleSide> sides;
-  sides.reserve(3 * triangles.size());
+void for_each_side(std::span<const Triangle> triangles, const auto& visit) {
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::uint32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), t, i, from < to});
+      visit(TriangleSide{std::min(from, to), std::max(from, to), t, i, from < to});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
-    return std::tie(a.low, a.high, a.triangle, a.corner) <
-           std::tie(b.low, b.high, b.triangle, b.corner);
-  });
+}
+
+// Those of one `low` are few: they are brought together by counting, and only then sorted.
+std::vector<TriangleSide> sides_by_edge(std::span<const Triangle> triangles) {
+  std::uint32_t last = 0;
+  for (const Triangle& t : triangles) last = std::max(last, std::ranges::max(t));
+  std::vector<std::size_t> place(std::size_t{last} + 2);  // of the next side of each `low`
+  for_each_side(triangles, [&](const TriangleSide& side) { ++place[side.low + 1]; });
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<TriangleSide> sides(3 * triangles.size());
+  for_each_side(triangles, [&](const TriangleSide& side) { sides[place[side.low]++] = side; });
+  auto begin = sides.begin();
+  for (const std::size_t end : place) {
+    const auto next = sides.begin() + static_cast<std::ptrdiff_t>(end);
+    std::sort(begin, next, [](const TriangleSide& a, const TriangleSide& b) {
+      return std::tie(a.high, a.triangle, a.corner) < std::tie(b.high, b.triangle, b.corner);
+    });
+    begin = next;
+  }
   return sides;
 }
 

@@ -37,17 +37,20 @@ class MeshDistance {
   // An inner node has its two halves at `first` and `first + 1`, a leaf (`count` > 0) its
   // triangles.
   struct Node {
-    Eigen::AlignedBox3d box;
+    Eigen::AlignedBox3f box;
     std::uint32_t first = 0, count = 0;
   };
+  // Like the boxes in the mesh's own precision: a search of many triangles waits for memory.
+  using StoredCorners = std::array<Eigen::Vector3f, 3>;
 
   // `places` are those of the mesh's triangles in the tree.
   void find_surroundings(const Mesh& mesh, std::span<const std::uint32_t> places);
   void split(std::uint32_t node, std::uint32_t begin, std::span<std::uint32_t> part);
+  Corners corners(std::uint32_t triangle) const;
   Eigen::Vector3d face_normal(std::uint32_t triangle) const;
   Eigen::Vector3d normal(std::uint32_t triangle, NearestOnTriangle::Part part) const;
 
-  std::vector<Corners> triangles_;
+  std::vector<StoredCorners> triangles_;
   std::vector<Surroundings> surroundings_;  // apart: a search looks at many corners and one normal
   std::vector<Eigen::Vector3d> vertex_normals_;
   std::vector<Node> nodes_;

@@ -1,0 +1,208 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Trains a learned descriptor on our own pictures and writes its weights (scripts/learn.sh)."""
+
+import argparse
+import dataclasses
+import io
+import json
+import pathlib
+import random
+import time
+
+import numpy
+import torch
+
+import export
+import losses
+import safetensors
+from measure import Measurement, tell
+from net import Net, multiplications
+from recipe import Recipe
+from replicas import Replicas
+from shards import HELD, Shards, batches
+
+CHECKPOINT_S = 300
+TOLD_S = 20
+CALIBRATION = 4096
+ALL_MEASURED = 4  # times within a training
+MAKING_LEAVES = 0.85  # of the processors' time, while shards are made beside
+
+
+class Trainer:
+    def __init__(self, recipe, device):
+        seed_all(recipe.seed)
+        self.recipe, self.device = recipe, device
+        self.net = Net(len(recipe.planes), recipe.net_layers(), recipe.size).to(device)
+        self.net.body.to(memory_format=torch.channels_last)
+        self.replicas = Replicas(self.net, losses.Losses(recipe.weights, device), recipe, device)
+        self.optimizer = torch.optim.AdamW(self.net.parameters(), recipe.rate, weight_decay=recipe.decay)
+        self.round = self.step = 0
+
+    @property
+    def round_steps(self):
+        return HELD * self.recipe.shard // self.recipe.batch
+
+    @property
+    def rounds(self):
+        return max(1, round(self.recipe.crops / (self.round_steps * self.recipe.batch)))
+
+    @property
+    def share(self):
+        return self.step / (self.rounds * self.round_steps)
+
+    def learn(self, batch):
+        for group in self.optimizer.param_groups:
+            group["lr"] = self.recipe.rate_at(self.share)
+        parts = self.replicas.learn(batch)
+        self.optimizer.step()
+        self.replicas.spread()
+        self.step += 1
+        return parts
+
+    def save(self, path, assets):
+        file = io.BytesIO()
+        torch.save({"recipe": self.recipe.json(), "net": self.net.state_dict(), "assets": assets,
+                    "optimizer": self.optimizer.state_dict(), "round": self.round, "step": self.step}, file)
+        safetensors.write_aside(path, file.getvalue())
+
+    @staticmethod
+    def load(path, device):
+        state = torch.load(path, map_location=device)
+        trainer = Trainer(Recipe.parse(state["recipe"]), device)
+        trainer.net.load_state_dict(state["net"])
+        trainer.optimizer.load_state_dict(state["optimizer"])
+        trainer.replicas.copy_all()
+        trainer.round, trainer.step = state["round"], state["step"]
+        return trainer, state["assets"]
+
+
+def seed_all(seed):
+    random.seed(seed)
+    numpy.random.seed(seed)
+    torch.manual_seed(seed)
+
+
+class Teller:
+    """Progress and time left, every TOLD_S seconds."""
+
+    def __init__(self, trainer):
+        self.trainer, self.first = trainer, trainer.step
+        self.start = self.last = time.monotonic()
+        self.parts = []
+
+    def add(self, parts):
+        self.parts.append(parts)
+        now = time.monotonic()
+        if now - self.last < TOLD_S:
+            return
+        self.last = now
+        trainer = self.trainer
+        steps = trainer.step - self.first
+        left = (trainer.rounds * trainer.round_steps - trainer.step) * (now - self.start) / steps
+        means = "  ".join(f"{name} {numpy.mean([part[name] for part in self.parts]):.3f}" for name in parts)
+        print(f"{trainer.share:6.1%}  {steps * trainer.recipe.batch / (now - self.start):.0f} crops/s  "
+              f"{left / 60:.0f} min left  {means}", flush=True)
+        self.parts = []
+
+
+def train(trainer, shards, checkpoint, measurement):
+    teller, saved = Teller(trainer), time.monotonic()
+    while trainer.round < trainer.rounds:
+        held = shards.round(trainer.round, trainer.rounds)
+        for batch in batches(held, trainer.recipe.batch, [trainer.recipe.seed, trainer.round]):
+            teller.add(trainer.learn(batch))
+        trainer.replicas.join_statistics()
+        trainer.round += 1
+        if time.monotonic() - saved > CHECKPOINT_S or trainer.round == trainer.rounds:
+            trainer.save(checkpoint, shards.assets)
+            saved = time.monotonic()
+        if measurement and trainer.round < trainer.rounds and \
+                trainer.round * ALL_MEASURED // trainer.rounds > (trainer.round - 1) * ALL_MEASURED // trainer.rounds:
+            tell(measurement.of_net(trainer.net, trainer.recipe.planes, trainer.device))
+
+
+def write_weights(trainer, shards, measurement, path):
+    recipe, net = trainer.recipe, trainer.net.to("cpu")
+    calibration = {name: shards.held[max(shards.held)][name][:CALIBRATION] for name in recipe.planes}
+    extra = {"seed": str(recipe.seed), "crops_seen": str(trainer.step * recipe.batch),
+             "assets": json.dumps([{"name": name, "hash": hashed} for name, hashed in sorted(shards.assets.items())])}
+    tensors, metadata = export.export(net, recipe, calibration, extra)
+    if measurement:
+        figures = measurement.of_net(net, recipe.planes)
+        codes = [export.integer_codes(tensors, metadata, samples)
+                 for samples in (measurement.frames, measurement.references)]
+        figures.update({f"{name}, int8": values for name, values in measurement.of_codes(*codes).items()})
+        tell(figures)
+        metadata["figures"] = json.dumps(figures)
+    export.write(path, tensors, metadata)
+
+
+def measured_speed(recipe, device, batch, seconds=15):
+    """Crops a second of a throwaway net."""
+    trainer = Trainer(dataclasses.replace(recipe, crops=10 ** 12), device)
+    trainer.learn(batch)
+    start, steps = time.monotonic(), 0
+    while time.monotonic() - start < seconds:
+        trainer.learn(batch)
+        steps += 1
+    return steps * recipe.batch / (time.monotonic() - start)
+
+
+def new_trainer(options, shards, device):
+    weights = {field.name: getattr(options, field.name) for field in dataclasses.fields(losses.Weights)}
+    recipe = Recipe(options.layers, tuple(options.planes.split(",")), options.size, options.seed, options.crops,
+                    options.batch, options.parts, options.shard, options.rate, weights=losses.Weights(**weights))
+    if options.minutes:
+        first = shards.round(0, 1)
+        speed = measured_speed(recipe, device, next(batches(first, recipe.batch, 0)))
+        recipe = dataclasses.replace(recipe, crops=int(options.minutes * 60 * speed * MAKING_LEAVES))
+        print(f"{speed:.0f} crops/s: {recipe.crops} crops in {options.minutes} minutes", flush=True)
+    return Trainer(recipe, device)
+
+
+def parsed():
+    recipe = Recipe()
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True, help="graspdb")
+    parser.add_argument("--work", required=True, type=pathlib.Path, help="shards, checkpoint, what is measured")
+    parser.add_argument("--out", required=True, type=pathlib.Path, help="the weights")
+    parser.add_argument("--config", help="of the samples")
+    parser.add_argument("--sequences", help="a folder to measure on; none when absent")
+    parser.add_argument("--minutes", type=float, help="as many crops as this takes, instead of --crops")
+    parser.add_argument("--planes", default=",".join(recipe.planes))
+    for name in ("layers", "size", "seed", "crops", "batch", "parts", "shard", "rate"):
+        parser.add_argument(f"--{name}", default=getattr(recipe, name), type=type(getattr(recipe, name)))
+    for field in dataclasses.fields(losses.Weights):
+        parser.add_argument(f"--{field.name.replace('_', '-')}", default=field.default, type=float)
+    return parser.parse_args()
+
+
+def main():
+    options = parsed()
+    device = "cuda" if torch.cuda.is_available() else "cpu"
+    checkpoint = options.work / "checkpoint.pt"
+    state = Trainer.load(checkpoint, device) if checkpoint.exists() else None
+    shard, planes = (state[0].recipe.shard, state[0].recipe.planes) if state else \
+        (options.shard, options.planes.split(","))
+    shards = Shards(options.program, options.work, planes, shard, options.config)
+    measurement = Measurement(options.program, options.work, options.sequences) if options.sequences else None
+    try:
+        if state:
+            trainer, shards.assets = state
+            print(f"goes on at {trainer.share:.0%}", flush=True)
+        else:
+            trainer = new_trainer(options, shards, device)
+        layers, size = trainer.recipe.net_layers(), trainer.recipe.size
+        print(f"{multiplications(layers, len(planes), size) / 1e6:.1f} million multiplications, "
+              f"{sum(p.numel() for p in trainer.net.body.parameters())} numbers", flush=True)
+        train(trainer, shards, checkpoint, measurement)
+        if not shards.held:  # killed between the last checkpoint and the weights
+            shards.round(trainer.rounds - 1, 0)
+        write_weights(trainer, shards, measurement, options.out)
+    finally:
+        shards.close()
+
+
+if __name__ == "__main__":
+    main()
