@@ -43,16 +43,16 @@ TEST(SampleConfig, EveryNumberOfTheJsonIsReadBack) {
 }
 
 TEST(SampleConfig, WrongValuesAreRefusedByName) {
-  for (const auto& [text, key] : std::vector<std::pair<std::string, std::string>>{
-           {"held = 1.5", "held"},
-           {"noise_percent = -1", "noise_percent"},
-           {"noise_percent = nan", "noise_percent"},
-           {"views_per_pose = 0", "views_per_pose"},
-           {"leave_out = [1.5]", "leave_out"},
-           {"nearest_m = 2.0", "nearest_m"},
-           {"smallest_px = 300", "smallest_px"},
-           {"gestures = 0.9", "mixtures"},
-           {"unknown = 1", "unknown"}}) {
+  for (const auto& [text, key] :
+       std::vector<std::pair<std::string, std::string>>{{"held = 1.5", "held"},
+                                                        {"noise_percent = -1", "noise_percent"},
+                                                        {"noise_percent = nan", "noise_percent"},
+                                                        {"views_per_pose = 0", "views_per_pose"},
+                                                        {"leave_out = [1.5]", "leave_out"},
+                                                        {"nearest_m = 2.0", "nearest_m"},
+                                                        {"smallest_px = 300", "smallest_px"},
+                                                        {"gestures = 0.9", "mixtures"},
+                                                        {"unknown = 1", "unknown"}}) {
     try {
       config_of(text);
       ADD_FAILURE() << text;

@@ -61,8 +61,8 @@ TEST(SampleMaker, LabelsAreThoseOfAHandInTheCrop) {
   }
 }
 
-// A true mask shows the hand where its joints are: along the crop's x and y axis the mask's mean and
-// the joints' go the same way.
+// A true mask shows the hand where its joints are: along the crop's x and y axis the mask's mean
+// and the joints' go the same way.
 TEST(SampleMaker, JointsLieWhereTheMaskIs) {
   SampleConfig config = quick_config();
   config.true_masks = 1;
@@ -76,8 +76,7 @@ TEST(SampleMaker, JointsLieWhereTheMaskIs) {
     const Eigen::Vector2d high = sample.joints.topRows<2>().rowwise().maxCoeff();
     const double scale = 50 / (high - low).maxCoeff();
     for (int joint = 0; joint < kKeypointCount; ++joint) {
-      const Eigen::Vector2d at =
-          (sample.joints.col(joint).head<2>() - (low + high) / 2) * scale;
+      const Eigen::Vector2d at = (sample.joints.col(joint).head<2>() - (low + high) / 2) * scale;
       const int x = std::clamp(static_cast<int>(32 + at.x()), 0, kCropSide - 1);
       const int y = std::clamp(static_cast<int>(32 + at.y()), 0, kCropSide - 1);
       inside += sample.crop.mask[static_cast<std::size_t>(y * kCropSide + x)] > 127;
@@ -146,7 +145,8 @@ TEST(SequenceSamples, AreTheFramesOfTheFolder) {
   for (const auto& entry : fs::directory_iterator(train / "closed")) {
     fs::copy_file(entry.path(), directory / "closed" / entry.path().filename());
   }
-  const SequenceSamples sequences = sequence_samples(fs::path(directory / "coin.seq.toml").parent_path());
+  const SequenceSamples sequences =
+      sequence_samples(fs::path(directory / "coin.seq.toml").parent_path());
   EXPECT_EQ(sequences.names, std::vector<std::string>{"coin"});
   EXPECT_GT(sequences.samples.size(), 50u);
   for (const Sample& sample : sequences.samples) EXPECT_EQ(sample.sequence, 0u);
