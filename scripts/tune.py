@@ -25,8 +25,9 @@ PLACES = {
     "sigma_stretch": (0.1, 0.15, 0.2, 0.3, 0.5),
     "sigma_pose": (0.2, 0.25, 0.35, 0.5, 0.7),
     "bandwidth": (0.2, 0.25, 0.35, 0.5, 0.7),
+    "merge_deg": (0, 10, 20, 30, 40),
 }
-SINGLE_FRAME = ("neighbours", "sigma_hog", "sigma_stretch")
+SINGLE_FRAME = ("neighbours", "sigma_hog", "sigma_stretch", "merge_deg")
 OPTIONS = {  # those that a model reads
     "none": SINGLE_FRAME,
     "gaussian": SINGLE_FRAME + ("sigma_pose",),
@@ -34,7 +35,7 @@ OPTIONS = {  # those that a model reads
     "successors": SINGLE_FRAME + ("kept", "bandwidth"),
 }
 START = {"neighbours": 50, "kept": 20, "sigma_hog": 1.0, "sigma_stretch": 0.2, "sigma_pose": 0.35,
-         "bandwidth": 0.35}
+         "bandwidth": 0.35, "merge_deg": 0}
 ROUNDS = 5
 MEMBER = {"neighbours": "neighbors"}  # where C++ spells it otherwise
 MAX_DISTANCE = 5.0  # not chosen: it tells what is no hand

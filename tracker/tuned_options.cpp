@@ -15,6 +15,7 @@ TrackerOptions tuned_options(TemporalModel temporal) {
               .sigma_stretch = 0.2,
               .sigma_pose = 0.35,
               .bandwidth = 0.35,
+              .merge_deg = 0,
               .max_distance = 5.0};
     case TemporalModel::kGaussian:
       return {.temporal = temporal,
@@ -24,6 +25,7 @@ TrackerOptions tuned_options(TemporalModel temporal) {
               .sigma_stretch = 0.3,
               .sigma_pose = 0.35,
               .bandwidth = 0.35,
+              .merge_deg = 0,
               .max_distance = 5.0};
     case TemporalModel::kKde:
       return {.temporal = temporal,
@@ -33,6 +35,7 @@ TrackerOptions tuned_options(TemporalModel temporal) {
               .sigma_stretch = 0.15,
               .sigma_pose = 0.35,
               .bandwidth = 0.35,
+              .merge_deg = 0,
               .max_distance = 5.0};
     case TemporalModel::kSuccessors:
       return {.temporal = temporal,
@@ -42,6 +45,7 @@ TrackerOptions tuned_options(TemporalModel temporal) {
               .sigma_stretch = 0.1,
               .sigma_pose = 0.35,
               .bandwidth = 0.35,
+              .merge_deg = 0,
               .max_distance = 5.0};
   }
   GRASPDB_CHECK(false);

@@ -9,7 +9,7 @@ namespace graspdb::testing {
 struct PlainOptions {
   TemporalModel temporal = TemporalModel::kKde;
   int neighbors = 20, kept = 20;
-  double sigma_hog = 1, sigma_stretch = 0.15, max_distance = 5;
+  double sigma_hog = 1, sigma_stretch = 0.15, merge_deg = 0, max_distance = 5;
 
   operator TrackerOptions() const {
     return {.temporal = temporal,
@@ -19,6 +19,7 @@ struct PlainOptions {
             .sigma_stretch = sigma_stretch,
             .sigma_pose = 0.5,
             .bandwidth = 0.5,
+            .merge_deg = merge_deg,
             .max_distance = max_distance};
   }
 };

@@ -61,6 +61,27 @@ TEST_F(BarTracker, WeightsSumToOneAndTheHeaviestIsFirst) {
   }
 }
 
+// Between two rows' angles both weigh alike: their mean is the bar's own, the heaviest is not.
+TEST_F(BarTracker, MergedAnswersLieBetweenTheRows) {
+  const double between = (angle_of(4) + angle_of(5)) / 2;
+  const Eigen::Matrix3d truth = rotation_from_vector({0, 0, between});
+  for (const double merge_deg : {0.0, 25.0}) {
+    Tracker tracker = this->tracker({.temporal = TemporalModel::kNone,
+                                     .sigma_hog = 100,
+                                     .sigma_stretch = 10,
+                                     .merge_deg = merge_deg});
+    const Estimate estimate = show(tracker, bar(between));
+    ASSERT_TRUE(estimate.valid);
+    const double error = degrees(angle_between(estimate.camera_from_hand.rotation, truth));
+    const double share = error / degrees(angle_of(5) - angle_of(4));
+    if (merge_deg > 0) {
+      EXPECT_LT(share, 0.25);
+    } else {
+      EXPECT_GT(share, 0.33);
+    }
+  }
+}
+
 // Front or back: the picture does not tell, the past does.
 TEST_F(BarTracker, ThePastDecidesWhatThePictureLeavesOpen) {
   for (const TemporalModel model : {TemporalModel::kGaussian, TemporalModel::kKde}) {

@@ -15,8 +15,8 @@ struct SampleConfig {
   std::filesystem::path grasps;              // the folder of grasp files; empty: the project's own
   std::vector<int> leave_out;                // ids of grasps that are never shown
   int seed = 0;
-  int views_per_pose = 48;
-  int poses_per_hand = 160;
+  int views_per_pose = 64;
+  int poses_per_hand = 128;
 
   // Hands and poses.
   double made_hands = 0.6;  // the share of hands that are made from drawn measures
@@ -30,7 +30,7 @@ struct SampleConfig {
 
   // Pictures.
   double nearest_m = 0.35, farthest_m = 1.2;  // camera to palm
-  int smallest_px = 72, largest_px = 192;     // side of the picture
+  int smallest_px = 72, largest_px = 160;     // side of the picture
   double light = 1;                           // 1: any direction and strength; 0: that of rows
   double skin = 1;                            // patches, contrast and blotches of the skin
   double sensor = 1;                          // blur and noise

@@ -38,7 +38,7 @@ std::string temporal_name(TemporalModel model);             // "none", "gaussian
 TemporalModel temporal_from_name(const std::string& name);  // throws Error
 
 // No value is right for every temporal model: start from tuned_options(). What is left at 0 is
-// refused.
+// refused, but for merge_deg.
 struct TrackerOptions {
   TemporalModel temporal = TemporalModel::kKde;
   int neighbors = 0;         // k, 1..1000
@@ -47,6 +47,8 @@ struct TrackerOptions {
   double sigma_stretch = 0;  // of the logarithm of the box's aspect ratio over the row's, .01..100
   double sigma_pose = 0;     // of the pose vector around the previous answer, .01..100
   double bandwidth = 0;      // of the pose vector around each previous hypothesis, .01..100
+  double merge_deg = 0;      // hypotheses so near to the heaviest are averaged with it, 0..90; 0:
+                             // the answer is the heaviest alone
   double max_distance = 0;   // a nearest descriptor further away is no hand, .01..1000
 };
 
@@ -62,7 +64,7 @@ struct TrackerNumber {
   const char* help;
   bool tuned = true;  // scripts/tune.py chooses it
 };
-inline constexpr std::array<TrackerNumber, 7> kTrackerNumbers = {
+inline constexpr std::array<TrackerNumber, 8> kTrackerNumbers = {
     {{"neighbours", "-k,--neighbours", &TrackerOptions::neighbors, 1, 1000, "Neighbours looked up"},
      {"kept", "--kept", &TrackerOptions::kept, 1, 1000, "Hypotheses that the next frame remembers"},
      {"sigma_hog", "--sigma-hog", &TrackerOptions::sigma_hog, 0.01, 100,
@@ -73,6 +75,8 @@ inline constexpr std::array<TrackerNumber, 7> kTrackerNumbers = {
       "Of the pose around the last answer (gaussian)"},
      {"bandwidth", "--bandwidth", &TrackerOptions::bandwidth, 0.01, 100,
       "Of the pose around each last hypothesis (kde, successors)"},
+     {"merge_deg", "--merge", &TrackerOptions::merge_deg, 0, 90,
+      "Hypotheses so near to the heaviest are averaged with it, degrees"},
      {"max_distance", "--max-distance", &TrackerOptions::max_distance, 0.01, 1000,
       "A nearest descriptor further away is no hand", false}}};
 
@@ -109,7 +113,7 @@ struct Estimate {
   Mask hand;                   // HandReader's
   Box box;                     // of the mask, pixels; empty without one
   DescriptorBytes descriptor;  // of the mask's pixels; of a left hand in the mirror
-  // The answer: the heaviest hypothesis.
+  // The answer: the heaviest hypothesis; its rotation and angles are means where some are merged.
   std::uint32_t row = 0;
   double distance = 0;           // of the nearest descriptor
   int grasp = 0;                 // id, of the row
@@ -151,6 +155,7 @@ class Tracker {
   void check_row(std::uint32_t row) const;
   double log_prior(const PoseVector& pose) const;
   void weigh(std::vector<Candidate>& candidates) const;
+  Candidate merged(const std::vector<Candidate>& candidates) const;
   void answer(const std::vector<Candidate>& candidates, const Intrinsics& camera,
               Estimate& estimate) const;
   void remember(std::vector<Candidate> candidates);
