@@ -17,10 +17,15 @@ namespace {
 constexpr int kMostSamples = 500'000;
 
 struct SampleArguments {
-  std::string out, sheet, config, sequences;
+  std::string out, sheet, config, sequences, descriptor;
   std::uint64_t first = 0;
   int count = 10'000, threads = 0;
 };
+
+void describe(const SampleArguments& options, std::span<Sample> samples) {
+  if (options.descriptor.empty()) return;
+  describe_samples(EmbeddingNet::load(options.descriptor), samples, options.threads);
+}
 
 void write_sheet(const SampleArguments& options, std::span<const Sample> samples) {
   if (!options.sheet.empty()) write_png(options.sheet, draw_sample_sheet(samples));
@@ -32,6 +37,7 @@ void make_samples(const SampleArguments& options) {
   const SampleMaker maker(config, options.threads);
   std::vector<Sample> samples(static_cast<std::size_t>(options.count));
   maker.make(options.first, samples, options.threads, console_progress("drawn", "samples"));
+  describe(options, samples);
   if (!options.out.empty()) {
     write_samples(options.out, samples, config, options.first, maker.assets());
   }
@@ -39,8 +45,9 @@ void make_samples(const SampleArguments& options) {
 }
 
 void take_sequences(const SampleArguments& options) {
-  const SequenceSamples sequences =
+  SequenceSamples sequences =
       sequence_samples(options.sequences, console_progress("rendered", "sequences"));
+  describe(options, sequences.samples);
   if (!options.out.empty()) write_samples(options.out, sequences);
   write_sheet(options, sequences.samples);
   fmt::print("{} frames of {} sequences\n", sequences.samples.size(), sequences.names.size());
@@ -67,6 +74,8 @@ void add_samples(CLI::App& app) {
       ->excludes(first)
       ->excludes(count)
       ->excludes(config);
+  verb->add_option("--descriptor", options->descriptor,
+                   "A file of weights: the samples have its codes, too");
   verb->add_option("--threads", options->threads, "Threads, 0 for all processors; changes no byte")
       ->check(range(0, 1024));
   verb->footer(

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "graspdb/core/error.h"
 #include "graspdb/features/hog.h"
@@ -44,57 +46,81 @@ CropSpans crop_spans(int corner_x2, int side, int length) {
   return spans;
 }
 
-struct CropRowSums {
-  std::array<std::uint32_t, kCropSide> gray, mask, scene;
-};
-
-CropRowSums sum_crop_row(const std::uint8_t* gray, const std::uint8_t* mask,
-                         const CropSpans& columns) {
-  CropRowSums sums{};
-  for (std::size_t i = 0; i < kCropSide; ++i) {
-    const CropSpan& span = columns[i];
-    const auto add = [&](int x, std::uint32_t share) {
-      const std::uint32_t inside = mask[x] != 0;
-      sums.scene[i] += share * gray[x];
-      sums.gray[i] += share * inside * gray[x];
-      sums.mask[i] += share * inside;
-    };
-    if (span.last < span.first) continue;
-    add(span.first, span.first_share);
-    for (int x = span.first + 1; x < span.last; ++x) add(x, kUnit);
-    if (span.last > span.first) add(span.last, span.last_share);
-  }
-  return sums;
-}
-
 struct PlaneSums {
   std::array<std::uint64_t, kCropPixels> gray{}, mask{}, scene{};
 };
 
-void add_row(const CropRowSums& sums, std::uint32_t share, std::size_t row, PlaneSums& planes) {
-  for (std::size_t x = 0; x < kCropSide; ++x) {
-    const std::size_t at = row * kCropSide + x;
-    planes.gray[at] += std::uint64_t{share} * sums.gray[x];
-    planes.mask[at] += std::uint64_t{share} * sums.mask[x];
-    planes.scene[at] += std::uint64_t{share} * sums.scene[x];
+// One of the crop's rows while its columns are still the picture's: sums down the picture. They run
+// along memory, many at a time, where sums across it do not.
+class ColumnSums {
+ public:
+  explicit ColumnSums(int width) : gray_(at(width)), mask_(at(width)), scene_(at(width)) {}
+
+  void clear() {
+    for (Sums* sums : {&gray_, &mask_, &scene_}) std::ranges::fill(*sums, 0);
   }
+
+  // The pixels from `first` on, as many as there are sums.
+  void add(const std::uint8_t* gray, const std::uint8_t* mask, std::uint32_t share) {
+    for (std::size_t x = 0; x < gray_.size(); ++x) {
+      const std::uint32_t all = share * gray[x], inside = mask[x] != 0 ? ~0U : 0U;
+      scene_[x] += all;
+      gray_[x] += all & inside;
+      mask_[x] += share & inside;
+    }
+  }
+
+  void put(const CropSpans& columns, int first, std::size_t row, PlaneSums& planes) const {
+    for (std::size_t i = 0; i < kCropSide; ++i) {
+      const std::size_t to = row * kCropSide + i;
+      planes.gray[to] = across(gray_, columns[i], first);
+      planes.mask[to] = across(mask_, columns[i], first);
+      planes.scene[to] = across(scene_, columns[i], first);
+    }
+  }
+
+ private:
+  using Sums = std::vector<std::uint32_t>;
+  static std::size_t at(int x) { return static_cast<std::size_t>(x); }
+
+  static std::uint64_t across(const Sums& sums, const CropSpan& span, int first) {
+    if (span.last < span.first) return 0;
+    std::uint64_t inner = 0;
+    for (int x = span.first + 1; x < span.last; ++x) inner += sums[at(x - first)];
+    const std::uint64_t ends = std::uint64_t{span.first_share} * sums[at(span.first - first)] +
+                               std::uint64_t{span.last_share} * sums[at(span.last - first)];
+    return inner * kUnit + ends;
+  }
+
+  Sums gray_, mask_, scene_;
+};
+
+// The picture's first column under the crop, and the one behind the last.
+std::pair<int, int> columns_under(const CropSpans& spans) {
+  int begin = kLongestSide, end = 0;
+  for (const CropSpan& span : spans) {
+    if (span.last < span.first) continue;
+    begin = std::min(begin, span.first);
+    end = std::max(end, span.last + 1);
+  }
+  return {begin, std::max(begin, end)};
 }
 
 PlaneSums sum_square(const GrayImage& gray, const Mask& mask, const CropSquare& square) {
   const CropSpans columns = crop_spans(square.left_x2, square.side, gray.width());
   const CropSpans rows = crop_spans(square.top_x2, square.side, gray.height());
+  const auto [first, end] = columns_under(columns);
+  ColumnSums sums(end - first);
   PlaneSums planes;
-  CropRowSums sums{};
-  int summed = -1;  // two of the crop's rows may share one of the picture's
   for (std::size_t i = 0; i < kCropSide; ++i) {
     const CropSpan& span = rows[i];
+    sums.clear();
     for (int y = span.first; y <= span.last; ++y) {
-      if (y != summed) sums = sum_crop_row(gray.row(y), mask.row(y), columns);
-      summed = y;
       const bool is_end = y == span.first || y == span.last;
       const std::uint32_t end_share = y == span.first ? span.first_share : span.last_share;
-      add_row(sums, is_end ? end_share : kUnit, i, planes);
+      sums.add(gray.row(y) + first, mask.row(y) + first, is_end ? end_share : kUnit);
     }
+    sums.put(columns, first, i, planes);
   }
   return planes;
 }

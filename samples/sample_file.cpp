@@ -35,6 +35,12 @@ struct Field {
   Put put_sample;
 };
 
+Field codes(std::size_t bytes) {
+  return {{"embedding", "U8", {bytes}}, [](const Sample& s, std::string& to) {
+            to.append(s.embedding.begin(), s.embedding.end());
+          }};
+}
+
 std::vector<Field> fields() {
   using S = const Sample&;
   using B = std::string&;
@@ -64,7 +70,9 @@ std::vector<Field> fields() {
 
 void write(const std::filesystem::path& path, std::span<const Sample> samples,
            std::map<std::string, std::string> metadata) {
-  const std::vector<Field> all = fields();
+  std::vector<Field> all = fields();
+  const std::size_t code = samples.empty() ? 0 : samples.front().embedding.size();
+  if (code > 0) all.push_back(codes(code));
   std::vector<TensorInfo> tensors;
   for (const Field& field : all) {
     tensors.push_back(field.info);

@@ -135,4 +135,9 @@ void SampleMaker::make(std::uint64_t first, std::span<Sample> samples, int threa
   });
 }
 
+void describe_samples(const EmbeddingNet& net, std::span<Sample> samples, int threads) {
+  parallel_for(samples.size(), threads,
+               [&](std::size_t i) { samples[i].embedding = net.describe(samples[i].crop); });
+}
+
 }  // namespace graspdb

@@ -13,6 +13,7 @@
 
 #include "graspdb/core/progress.h"
 #include "graspdb/features/crop.h"
+#include "graspdb/features/embedding.h"
 #include "graspdb/hand/angles.h"
 #include "graspdb/hand/skeleton.h"
 #include "graspdb/samples/sample_config.h"
@@ -33,6 +34,7 @@ struct Sample {
   bool held = false;                     // is an object in the hand
   double hidden = 0;                     // share of the hand that its object hides; of sequences
   std::uint32_t sequence = 0;            // of sequences: ordinal among those of the file
+  Embedding embedding;                   // empty until describe_samples()
 };
 
 // A file that samples were made from.
@@ -66,6 +68,9 @@ struct SequenceSamples {
 };
 SequenceSamples sequence_samples(const std::filesystem::path& folder,
                                  const Progress& progress = {});
+
+// Gives each its code by this net.
+void describe_samples(const EmbeddingNet& net, std::span<Sample> samples, int threads = 0);
 
 // Writes a safetensors file, aside and renamed (docs/samples.md).
 void write_samples(const std::filesystem::path& file, std::span<const Sample> samples,
