@@ -72,16 +72,6 @@ HWY_INLINE SumsVec Scaled(SumsVec sums, SumsVec multipliers) {
   return hn::OddEven(hn::BitCast(s, odd), upper(hn::BitCast(s, even)));
 }
 
-// Products of pairs, added to the sums.
-HWY_INLINE SumsVec Accumulated(SumsVec pairs, hn::Vec<Shorts> weights, SumsVec sums) {
-#if HWY_TARGET == HWY_AVX3_DL  // has one instruction for it, which Highway 1.0 does not use
-  return SumsVec{_mm512_dpwssd_epi32(sums.raw, pairs.raw, weights.raw)};
-#else
-  SumsVec none = hn::Zero(Sums());
-  return hn::ReorderWidenMulAccumulate(Sums(), hn::BitCast(Shorts(), pairs), weights, sums, none);
-#endif
-}
-
 // kPixels neighbours of the result, for as many outputs as a vector has lanes.
 template <std::size_t kPixels>
 HWY_INLINE void ConvolvePixels(const Convolution& layer, const std::int16_t* HWY_RESTRICT window,
@@ -94,12 +84,14 @@ HWY_INLINE void ConvolvePixels(const Convolution& layer, const std::int16_t* HWY
       out % kOutputBlock * kInputPair;
   std::array<SumsVec, kPixels> sums;
   for (SumsVec& sum : sums) sum = hn::LoadU(s, layer.bias.data() + out);
+  SumsVec none = hn::Zero(s);
   for (std::size_t i = 0; i < layer.kernel; ++i) {
     for (std::size_t j = 0; j < across; j += kInputPair) {
       const auto weights = hn::LoadU(Shorts(), weight);
       for (std::size_t pixel = 0; pixel < kPixels; ++pixel) {
         const auto pair = hn::Set(s, PairAt(window + i * line + j + pixel * step));
-        sums[pixel] = Accumulated(pair, weights, sums[pixel]);
+        sums[pixel] = hn::ReorderWidenMulAccumulate(s, hn::BitCast(Shorts(), pair), weights,
+                                                    sums[pixel], none);
       }
       weight += kInputPair * kOutputBlock;
     }
@@ -112,7 +104,7 @@ HWY_INLINE void ConvolvePixels(const Convolution& layer, const std::int16_t* HWY
 
 void ConvolveRow(const Convolution& layer, std::span<const std::int16_t> picture, std::size_t y,
                  std::span<std::int32_t> row) {
-  constexpr std::size_t kMany = 8;  // pixels that share each load of weights
+  constexpr std::size_t kMany = 8, kSome = 4;  // pixels that share each load of weights
   const std::size_t step = layer.stride * layer.inputs, width = layer.out_side();
   const std::int16_t* start =
       picture.data() + y * layer.stride * layer.padded_side() * layer.inputs;
@@ -120,6 +112,9 @@ void ConvolveRow(const Convolution& layer, std::span<const std::int16_t> picture
     std::size_t x = 0;
     for (; x + kMany <= width; x += kMany) {
       ConvolvePixels<kMany>(layer, start + x * step, out, row.data() + x * layer.outputs);
+    }
+    for (; x + kSome <= width; x += kSome) {
+      ConvolvePixels<kSome>(layer, start + x * step, out, row.data() + x * layer.outputs);
     }
     for (; x < width; ++x) {
       ConvolvePixels<1>(layer, start + x * step, out, row.data() + x * layer.outputs);
