@@ -54,6 +54,26 @@ inline std::vector<Row> toy_rows(std::size_t count) {
   return rows;
 }
 
+// The same with embeddings of so many bytes.
+inline DatabaseInfo toy_info(std::size_t embedding_bytes) {
+  DatabaseInfo info = toy_info();
+  info.embedding_bytes = embedding_bytes;
+  info.descriptor = "toy";
+  info.weights = "0123456789abcdef0123456789abcdef";
+  return info;
+}
+
+inline std::vector<Row> toy_rows(std::size_t count, std::size_t embedding_bytes) {
+  std::vector<Row> rows = toy_rows(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    RandomStream random(2, i);
+    for (std::size_t k = 0; k < embedding_bytes; ++k) {
+      rows[i].embedding.push_back(static_cast<std::uint8_t>(random.below(256)));
+    }
+  }
+  return rows;
+}
+
 inline std::vector<DescriptorBytes> bytes_of(const std::vector<Descriptor>& descriptors) {
   std::vector<DescriptorBytes> all;
   for (const Descriptor& descriptor : descriptors) {
