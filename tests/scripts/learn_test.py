@@ -30,7 +30,7 @@ from recipe import Recipe
 from shards import Shards
 
 PROGRAM = sys.argv.pop(1)
-RECIPE = Recipe(layers="4x16/4 3x32 3x64/2 3x64/2", size=32, crops=36_000, batch=128, shard=1500)
+RECIPE = Recipe(layers="4x16/4 3x32 3x64/2 3x64/2", size=64, crops=36_000, batch=128, shard=1500)
 QUERIES = 300
 
 
@@ -38,7 +38,7 @@ class Learned(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        path = pathlib.Path(cls.folder.name)
+        cls.path = path = pathlib.Path(cls.folder.name)
         cls.shards = Shards(PROGRAM, path, RECIPE.planes, RECIPE.shard)
         cls.trainer = train.Trainer(RECIPE, "cpu")
         clean = path / "clean.safetensors"
@@ -83,6 +83,14 @@ class Learned(unittest.TestCase):
         few = {name: self.clean[name][:20] for name in RECIPE.planes}
         exact = IntegerNet(tensors, metadata).codes(few)
         numpy.testing.assert_array_equal(exact, IntegerNet(tensors, metadata, export.fast_sums).codes(few))
+
+    def test_the_program_gives_the_same_codes(self):
+        tensors, metadata = export.export(self.trainer.net, RECIPE, self.clean, {})
+        export.write(self.path / "weights.safetensors", tensors, metadata)
+        coded = self.path / "coded.safetensors"
+        measure.made(PROGRAM, coded, ["--count", 30, "--descriptor", self.path / "weights.safetensors"])
+        samples, _ = safetensors.read(coded)
+        numpy.testing.assert_array_equal(samples["embedding"], IntegerNet(tensors, metadata).codes(samples))
 
 
 class Codes(unittest.TestCase):
