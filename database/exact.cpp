@@ -9,8 +9,10 @@
 #include <cstring>
 #include <new>
 
+#include "code_table.h"
 #include "distance.h"
 #include "graspdb/core/error.h"
+#include "graspdb/core/parallel.h"
 #include "top_k.h"
 
 namespace graspdb {
@@ -41,16 +43,39 @@ class AlignedRows {
 
 class ExactSearch : public Search {
  public:
-  explicit ExactSearch(const Database& database)
-      : copy_(database.descriptors().bytes), size_(database.descriptors().size) {}
+  explicit ExactSearch(const Database& database) : copy_(database.hogs().bytes) {}
 
   std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
-    return exact_nearest({copy_.rows(), size_}, query, k);
+    return exact_nearest({copy_.rows(), kDescriptorSize}, query, k);
   }
 
  private:
   AlignedRows copy_;
-  std::size_t size_;
+};
+
+// The same of short descriptors: compared as codes of small whole numbers, a row takes half the
+// instructions.
+class ExactCodeSearch : public Search {
+ public:
+  explicit ExactCodeSearch(const DescriptorTable& rows) : table_(rows.rows(), rows.size) {
+    parallel_for(rows.rows(), 0,
+                 [&](std::size_t row) { table_.store(row, code_of(rows.row(row))); });
+  }
+
+  std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
+    GRASPDB_CHECK(k >= 0);
+    return table_.nearest(code_of(query), static_cast<std::size_t>(k));
+  }
+
+ private:
+  static std::vector<std::int8_t> code_of(DescriptorView descriptor) {
+    std::vector<std::int8_t> code(descriptor.size());
+    std::ranges::transform(descriptor, code.begin(),
+                           [](std::uint8_t byte) { return static_cast<std::int8_t>(byte - 128); });
+    return code;
+  }
+
+  CodeTable table_;
 };
 
 }  // namespace
@@ -81,6 +106,7 @@ std::vector<Neighbor> measure(const Database& database, DescriptorView query,
 }
 
 std::unique_ptr<Search> make_exact_search(const Database& database) {
+  if (database.has_embeddings()) return std::make_unique<ExactCodeSearch>(database.descriptors());
   return std::make_unique<ExactSearch>(database);
 }
 

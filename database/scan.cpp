@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 
-#include "code_distance.h"
+#include "code_table.h"
 #include "distance.h"
 #include "exact.h"
 #include "graspdb/core/error.h"
@@ -19,8 +18,7 @@ namespace graspdb {
 namespace {
 
 constexpr std::size_t kSample = 8192;  // rows that the directions are fitted to
-constexpr std::size_t kBatch = 32;     // blocks scanned at once: they stay in a cache
-constexpr std::size_t kBatchRows = kBatch * kCodeBlock;
+constexpr std::size_t kBatch = 512;    // rows whose codes are worked out at once
 
 void check_options(const ScanOptions& options) {
   const auto refuse = [](const char* option, const char* expected, int found) {
@@ -36,9 +34,9 @@ void check_options(const ScanOptions& options) {
 class ScanSearch : public Search {
  public:
   ScanSearch(const Database& database, const ScanOptions& options)
-      : rows_(database.descriptors()), count_(database.rows()), options_(options) {
+      : rows_(database.descriptors()), options_(options) {
     check_options(options);
-    if (count_ == 0) return;
+    if (rows_.rows() == 0) return;
     options_.dimensions = std::min(options.dimensions, static_cast<int>(rows_.size));
     pca_ = fit_pca(rows_, options_.dimensions, kSample);
     // One unit for all directions, so that distances between codes follow those between
@@ -51,89 +49,50 @@ class ScanSearch : public Search {
     GRASPDB_CHECK(k >= 0);
     const auto wanted = static_cast<std::size_t>(k);
     const auto kept = std::max(static_cast<std::size_t>(options_.rerank), 4 * wanted);
-    if (kept >= count_) return exact_nearest(rows_, query, k);
-    TopK best(wanted);
-    std::vector<std::uint32_t> rows = nearest_codes(query, kept);
+    if (kept >= rows_.rows()) return exact_nearest(rows_, query, k);
+    std::vector<std::uint32_t> rows;
+    const Codes code = codes_of(query);
+    for (const Neighbor& neighbor : codes_->nearest(row_of(code, 0), kept)) {
+      rows.push_back(neighbor.row);
+    }
     std::ranges::sort(rows);  // memory likes to be read in order
     std::vector<std::uint32_t> squared(rows.size());
     squared_distances(query, rows_.bytes.data(), rows, squared);
+    TopK best(wanted);
     for (std::size_t i = 0; i < rows.size(); ++i) best.offer(rows[i], squared[i]);
     return best.take();
   }
 
  private:
+  using Codes = Eigen::Matrix<std::int8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
   // A row each, whole numbers from -127 to 127.
-  Eigen::MatrixXf codes_of(DescriptorView descriptors) const {
+  Codes codes_of(DescriptorView descriptors) const {
     const Eigen::MatrixXf scaled = project(pca_, {descriptors, rows_.size}) * scale_;
-    return scaled.array().round().max(-127).min(127);
+    return scaled.array().round().max(-127).min(127).cast<std::int8_t>();
+  }
+
+  static std::span<const std::int8_t> row_of(const Codes& codes, Eigen::Index row) {
+    return {codes.data() + row * codes.cols(), static_cast<std::size_t>(codes.cols())};
   }
 
   void encode_all() {
-    const std::size_t batches = (count_ + kBatchRows - 1) / kBatchRows;
-    codes_.resize(batches * kBatchRows * static_cast<std::size_t>(options_.dimensions));
-    norms_.resize(batches * kBatchRows);
-    parallel_for(batches, 0, [&](std::size_t batch) {
-      const std::size_t start = batch * kBatchRows, size = std::min(kBatchRows, count_ - start);
-      const Eigen::MatrixXf codes =
-          codes_of(rows_.bytes.subspan(start * rows_.size, size * rows_.size));
-      for (std::size_t i = 0; i < size; ++i)
-        store(start + i, codes.row(static_cast<Eigen::Index>(i)));
+    const std::size_t count = rows_.rows();
+    codes_.emplace(count, static_cast<std::size_t>(options_.dimensions));
+    parallel_for((count + kBatch - 1) / kBatch, 0, [&](std::size_t batch) {
+      const std::size_t start = batch * kBatch, size = std::min(kBatch, count - start);
+      const Codes codes = codes_of(rows_.bytes.subspan(start * rows_.size, size * rows_.size));
+      for (std::size_t i = 0; i < size; ++i) {
+        codes_->store(start + i, row_of(codes, static_cast<Eigen::Index>(i)));
+      }
     });
   }
 
-  // Puts one code where code_distance.h wants it.
-  void store(std::size_t row, const Eigen::RowVectorXf& code) {
-    const auto dimensions = static_cast<std::size_t>(options_.dimensions);
-    const std::size_t block = row / kCodeBlock * kCodeBlock * dimensions;
-    for (std::size_t i = 0; i < dimensions; ++i) {
-      codes_[block + i / 2 * 2 * kCodeBlock + row % kCodeBlock * 2 + i % 2] =
-          static_cast<std::int8_t>(code[static_cast<Eigen::Index>(i)]);
-    }
-    norms_[row] = static_cast<std::int32_t>(code.squaredNorm());
-  }
-
-  // The rows of the nearest codes, in no order.
-  std::vector<std::uint32_t> nearest_codes(DescriptorView query, std::size_t count) const {
-    const Eigen::RowVectorXf code = codes_of(query);
-    std::vector<std::int32_t> pairs;
-    for (Eigen::Index i = 0; i < code.size(); i += 2) {
-      pairs.push_back(
-          code_pair(static_cast<std::int8_t>(code[i]), static_cast<std::int8_t>(code[i + 1])));
-    }
-    TopK best(count);
-    for (std::size_t start = 0; start < count_; start += kBatchRows) {
-      scan_batch(pairs, static_cast<std::int32_t>(code.squaredNorm()), start, best);
-    }
-    std::vector<std::uint32_t> rows;
-    for (const Neighbor& neighbor : best.take()) rows.push_back(neighbor.row);
-    return rows;
-  }
-
-  void scan_batch(std::span<const std::int32_t> query, std::int32_t query_norm, std::size_t start,
-                  TopK& best) const {
-    std::array<std::int32_t, kBatchRows> squared;
-    std::array<bool, kBatch> near;
-    // A row as near as the bound comes behind the one that set it, so that only nearer ones count.
-    const std::uint32_t bound =
-        std::min<std::uint32_t>(best.bound(), std::numeric_limits<std::int32_t>::max());
-    code_distances(query, query_norm, codes_.data() + start * 2 * query.size(),
-                   norms_.data() + start, static_cast<std::int32_t>(bound), squared, near);
-    for (std::size_t block = 0; block < kBatch; ++block) {
-      if (!near[block]) continue;
-      for (std::size_t i = block * kCodeBlock; i < (block + 1) * kCodeBlock; ++i) {
-        if (start + i >= count_) return;  // the padding of the last batch
-        best.offer(static_cast<std::uint32_t>(start + i), static_cast<std::uint32_t>(squared[i]));
-      }
-    }
-  }
-
   DescriptorTable rows_;
-  std::size_t count_;
   ScanOptions options_;
   Pca pca_;
   float scale_ = 1;
-  std::vector<std::int8_t> codes_;  // whole batches of blocks, see code_distance.h
-  std::vector<std::int32_t> norms_;
+  std::optional<CodeTable> codes_;  // none of no rows
 };
 
 }  // namespace

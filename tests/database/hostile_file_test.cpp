@@ -120,7 +120,8 @@ TEST_F(HostileFile, AnotherKindOfFileIsRefused) {
 }
 
 TEST_F(HostileFile, AnotherVersionIsRefusedByName) {
-  expect_refused(with(R"("format_version":"1")", R"("format_version":"2")"), "format_version");
+  expect_refused(with(R"("format_version":"1")", R"("format_version":"3")"), "format_version");
+  expect_refused(with(R"("format_version":"1")", R"("format_version":"2")"), "header.embedding");
 }
 
 TEST_F(HostileFile, AMissingChecksumIsRefused) {

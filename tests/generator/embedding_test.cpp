@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "graspdb/features/embedding.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 #include "generator/small_build.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
-#include "graspdb/features/embedding.h"
 #include "graspdb/generator/generator.h"
 #include "graspdb/generator/row_poses.h"
 #include "support/temporary_directory.h"

@@ -61,12 +61,14 @@ TEST_F(DescriberTest, AnEmptyMaskHasNoBytes) {
 TEST_F(DescriberTest, OtherWeightsThanTheRowsAreRefusedByName) {
   const Database database = database_of(learned());
   write_text(directory_ / "other.safetensors", small_net(2).bytes());
-  for (const std::filesystem::path& weights : {directory_ / "other.safetensors", std::filesystem::path()}) {
+  for (const std::filesystem::path& weights :
+       {directory_ / "other.safetensors", std::filesystem::path()}) {
     try {
       const Describer describer(database, weights);
       ADD_FAILURE();
     } catch (const Error& error) {
-      EXPECT_THAT(error.what(), HasSubstr(weights.empty() ? "toy.safetensors" : "other.safetensors"));
+      EXPECT_THAT(error.what(),
+                  HasSubstr(weights.empty() ? "toy.safetensors" : "other.safetensors"));
     }
   }
 }
