@@ -14,7 +14,7 @@ import tune
 
 WRITTEN = Path(__file__).resolve().parents[2] / "tracker/tuned_options.cpp"
 LEAST = {"neighbours": 200, "kept": 100, "sigma_hog": 0.7, "sigma_stretch": 0.5, "sigma_pose": 0.25,
-         "bandwidth": 0.7}
+         "bandwidth": 0.7, "merge_deg": 20}
 
 
 def start(model):
