@@ -112,7 +112,8 @@ std::vector<std::int16_t> packed(const LayerTensors& tensors, const Convolution&
     const std::size_t out = i / tensors.inputs / places;
     const std::size_t input = place * layer.inputs + in;
     result[out / kOutputBlock * block + input / kInputPair * kInputPair * kOutputBlock +
-           out % kOutputBlock * kInputPair + input % kInputPair] = tensors.weights[i];
+           out % kOutputBlock * kInputPair + input % kInputPair] =
+        static_cast<std::int16_t>(int{tensors.weights[i]});
   }
   return result;
 }
