@@ -104,7 +104,8 @@ TEST(SampleMaker, KnowsNothingOfTheSequences) {
     if (entry.is_regular_file()) sequences.insert(hash_hex(read_text(entry.path())));
   }
   ASSERT_GT(sequences.size(), 80u);
-  for (const SampleAsset& asset : SampleMaker(quick_config()).assets()) {
+  const SampleMaker maker(quick_config());
+  for (const SampleAsset& asset : maker.assets()) {
     EXPECT_FALSE(sequences.contains(asset.hash)) << asset.name;
   }
 }
