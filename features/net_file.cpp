@@ -24,6 +24,7 @@ constexpr const char* kFormat = "graspdb descriptor";
 constexpr const char* kFormatVersion = "1";
 constexpr int kMostLayers = 32, kMostChannels = 1024, kMostScale = 4096;
 constexpr std::int64_t kLargestInput = 255;
+constexpr std::int64_t kMostResult = std::int64_t{1} << 27;
 
 std::size_t rounded_up(std::size_t count, std::size_t block) {
   return (count + block - 1) / block * block;
@@ -84,14 +85,19 @@ LayerTensors read_tensors(const Safetensors& file, std::size_t number) {
   return tensors;
 }
 
+std::int64_t largest_sum(const LayerTensors& tensors, std::size_t out) {
+  const std::size_t products = tensors.weights.size() / tensors.outputs;
+  std::int64_t largest = std::abs(std::int64_t{tensors.bias[out]});
+  for (std::size_t i = 0; i < products; ++i) {
+    largest += kLargestInput * std::abs(int{tensors.weights[out * products + i]});
+  }
+  return largest;
+}
+
 // Nothing that comes in may make a sum of 32 bits overflow.
 void check_sums(const LayerTensors& tensors, const std::string& name, const std::string& file) {
-  const std::size_t products = tensors.weights.size() / tensors.outputs;
   for (std::size_t out = 0; out < tensors.outputs; ++out) {
-    std::int64_t largest = std::abs(std::int64_t{tensors.bias[out]});
-    for (std::size_t i = 0; i < products; ++i) {
-      largest += kLargestInput * std::abs(int{tensors.weights[out * products + i]});
-    }
+    const std::int64_t largest = largest_sum(tensors, out);
     if (largest > std::numeric_limits<std::int32_t>::max()) {
       throw Error({file, name + ".bias", "sums below 2^31", fmt::format("{}", largest)});
     }
@@ -99,6 +105,16 @@ void check_sums(const LayerTensors& tensors, const std::string& name, const std:
       throw Error(
           {file, name + ".multiplier", "0 or more", fmt::format("{}", tensors.multiplier[out])});
     }
+  }
+}
+
+// Nor a sum of squares of the last layer's results, of 64 bits.
+void check_results(const LayerTensors& tensors, const std::string& name, const std::string& file) {
+  for (std::size_t out = 0; out < tensors.outputs; ++out) {
+    const std::int64_t largest = largest_sum(tensors, out) * tensors.multiplier[out] >> 32;
+    if (largest < kMostResult) continue;
+    throw Error(
+        {file, name + ".multiplier", "results below 2^27 at the end", fmt::format("{}", largest)});
   }
 }
 
@@ -146,6 +162,8 @@ class NetReader {
     channels_ = net_.planes.size();
     const json layers = list(file_, "layers", kMostLayers);
     for (const json& entry : layers) add(JsonFields(entry, file_.file(), "layers"));
+    const std::size_t last = layers.size() - 1;
+    check_results(read_tensors(file_, last), fmt::format("layer{}", last), file_.file());
     if (file_.tensor_count() != 3 * layers.size()) {
       refuse("layers", "three tensors a layer and no others", file_.tensor_count());
     }

@@ -166,6 +166,12 @@ INSTANTIATE_TEST_SUITE_P(
               "layer1.bias"},
         Fault{"ANegativeMultiplier", [](NetFile& f) { f.layers[1].multiplier[3] = -1; },
               "layer1.multiplier"},
+        Fault{"ResultsWhoseSquaresOverflow",
+              [](NetFile& f) {
+                f.layers[2].bias[3] = 2000000000;
+                f.layers[2].multiplier[3] = 2147483647;
+              },
+              "layer2.multiplier"},
         Fault{"NoStride", [](NetFile& f) { f.layers[0].stride = 0; }, "stride"}),
     [](const auto& fault) { return fault.param.name; });
 
