@@ -30,7 +30,7 @@ from recipe import Recipe
 from shards import Shards
 
 PROGRAM = sys.argv.pop(1)
-RECIPE = Recipe(layers="4x16/4 3x32 3x64/2 3x64/2", size=64, crops=36_000, batch=128, shard=1500)
+RECIPE = Recipe(layers="4x16/4 3x32 3x64/2 3x64/2", size=64, crops=72_000, batch=128, shard=1500)
 QUERIES = 300
 
 
