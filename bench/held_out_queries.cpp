@@ -45,6 +45,7 @@ std::vector<DescriptorBytes> held_out_queries(const Database& database, int coun
     const View view = render(posed.scene.scene, camera);
     queries[i] = describer.describe(view.shading, visible_hand(view));
   });
+  std::erase_if(queries, [](const DescriptorBytes& query) { return query.empty(); });  // no hand
   return queries;
 }
 

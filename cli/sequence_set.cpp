@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -14,20 +13,6 @@
 
 namespace graspdb::cli {
 namespace {
-
-std::vector<std::filesystem::path> sequence_files(const std::filesystem::path& given) {
-  if (std::filesystem::is_regular_file(given)) return {given};
-  std::vector<std::filesystem::path> files;
-  if (std::filesystem::is_directory(given)) {
-    for (const auto& entry : std::filesystem::directory_iterator(given)) {
-      if (entry.path().string().ends_with(".seq.toml")) files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  if (files.empty())
-    throw Error({.file = given.string(), .expected = "sequences (*.seq.toml)", .found = "none"});
-  return files;
-}
 
 void require_hand(const SequenceSpec& spec) {
   const auto& hand = spec.hand.file;

@@ -149,6 +149,25 @@ std::vector<double> TomlTable::numbers(std::string_view key, int size, double lo
   return values;
 }
 
+std::vector<int> TomlTable::integers(std::string_view key, int low, int high) const {
+  std::vector<int> list;
+  for (const double value : numbers(key, -1, low, high)) {
+    if (value != std::floor(value)) fail(key, "whole numbers", fmt::format("{}", value));
+    list.push_back(static_cast<int>(value));
+  }
+  return list;
+}
+
+std::filesystem::path TomlTable::found(std::string_view key, const std::string& path,
+                                       const std::filesystem::path& beside) const {
+  for (const std::filesystem::path& candidate : {beside / path, data_directory() / path}) {
+    std::error_code fault;  // such as a name that no file can have
+    if (std::filesystem::exists(candidate, fault)) return candidate;
+    if (fault) fail(key, "a path", fault.message());
+  }
+  return data_directory() / path;
+}
+
 Eigen::Vector3d TomlTable::vector3(std::string_view key, double low, double high) const {
   const std::vector<double> v = numbers(key, 3, low, high);
   return {v[0], v[1], v[2]};

@@ -70,7 +70,7 @@ std::size_t read_embedding_bytes(const json& root, const std::string& file) {
   const JsonFields entry(JsonFields(root, file, "header").at("embedding"), file, "embedding");
   const json& shape = entry.at("shape");
   const json& bytes = shape.is_array() && shape.size() == 2 ? shape[1] : shape;
-  if (bytes != kEmbeddingBlock && bytes != kMostEmbeddingBytes) {
+  if (!bytes.is_number_unsigned() || !is_embedding_size(bytes.get<std::size_t>())) {
     refuse(file, "embedding.shape", "[rows, 64] or [rows, 128]", shape.dump());
   }
   return bytes.get<std::size_t>();
@@ -154,8 +154,7 @@ void check_info(const DatabaseInfo& info, const std::string& file) {
       refuse(file, "grasps.id", "each once", fmt::format("{} twice", grasp.id));
     }
   }
-  if (info.embedding_bytes != 0 && info.embedding_bytes != kEmbeddingBlock &&
-      info.embedding_bytes != kMostEmbeddingBytes) {
+  if (info.embedding_bytes != 0 && !is_embedding_size(info.embedding_bytes)) {
     refuse(file, "embedding", "64 or 128 bytes", fmt::format("{}", info.embedding_bytes));
   }
   check_range(file, "hands", 0, 256, std::ssize(info.hands));

@@ -136,7 +136,13 @@ SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, cons
     truth.push_back(target_of(frame, frames.camera, frames.grasp_type));
   result.baselines = baselines(grid, truth, options.seed);
   count_far_grasps(result);
-  const Stage stage{database, grid, frames, options, std::move(truth), result.baselines};
+  const Stage stage{database,
+                    grid,
+                    frames,
+                    options,
+                    std::move(truth),
+                    result.baselines,
+                    std::make_shared<Describer>(database)};
   run_everything(stage, search, progress, result);
   return result;
 }

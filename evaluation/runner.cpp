@@ -37,7 +37,7 @@ std::vector<Keypoints> true_joints(const std::vector<Target>& truth) {
 Runner::Runner(const Stage& stage, const Search& search, const TrackerOptions& tracker)
     : stage_(stage),
       model_(tracker.temporal),
-      reader_(stage.database, search, {.tracker = tracker}),
+      reader_(stage.database, search, {.tracker = tracker}, stage.describer),
       last_answer_(flat_hand(stage.database)) {}
 
 void Runner::step(const Observation& seen) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "graspdb/evaluation/evaluate.h"
@@ -16,6 +17,7 @@ struct Stage {
   const EvalOptions& options;
   std::vector<Target> truth;  // a frame each
   const Baselines& baselines;
+  std::shared_ptr<const Describer> describer;
 };
 
 // One tracker on its way through the frames.

@@ -105,4 +105,10 @@ Embedding EmbeddingNet::describe(const HandCrop& crop) const {
   return code;
 }
 
+std::optional<Embedding> EmbeddingNet::describe(const GrayImage& gray, const Mask& mask) const {
+  const auto square = crop_square(mask);
+  if (!square) return std::nullopt;
+  return describe(crop_hand(gray, mask, *square));
+}
+
 }  // namespace graspdb

@@ -87,15 +87,15 @@ Box shrink(const Box& box, int factor) {
   return {x, y, (right + factor - 1) / factor - x, (bottom + factor - 1) / factor - y};
 }
 
-Mask enlarge(const Mask& small, int width, int height) {
-  Mask mask(width, height);
-  cv::Mat image = as_mat(mask);
-  cv::resize(as_mat(small), image, image.size(), 0, 0, cv::INTER_LINEAR);
-  cv::threshold(image, image, 127, 255, cv::THRESH_BINARY);
-  return mask;
-}
-
 }  // namespace
+
+Mask resized(const Mask& mask, int width, int height) {
+  Mask result(width, height);
+  cv::Mat image = as_mat(result);
+  cv::resize(as_mat(mask), image, image.size(), 0, 0, cv::INTER_LINEAR);
+  cv::threshold(image, image, 127, 255, cv::THRESH_BINARY);
+  return result;
+}
 
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOptions& options) {
   Mask smoothed = skin, hand(skin.width(), skin.height());
@@ -120,7 +120,7 @@ std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box
       largest_region(segment_skin(small, options), options.min_area_px / (factor * factor),
                      roi ? std::optional(shrink(*roi, factor)) : std::nullopt);
   if (!region || !has_color_of_skin(small, *region)) return std::nullopt;
-  return factor == 1 ? *region : enlarge(*region, frame.width(), frame.height());
+  return factor == 1 ? *region : resized(*region, frame.width(), frame.height());
 }
 
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi, const SkinOptions& options) {

@@ -6,12 +6,11 @@
 #include <cstdlib>
 #include <limits>
 
+#include "graspdb/core/descriptor.h"
 #include "graspdb/core/error.h"
-#include "graspdb/core/file.h"
 #include "graspdb/core/hash.h"
 #include "graspdb/core/json/safetensors.h"
 #include "graspdb/core/json/strict_json.h"
-#include "graspdb/features/embedding.h"
 #include "net.h"
 
 namespace graspdb {
@@ -161,14 +160,14 @@ class NetReader {
     net_.planes = read_planes(file_);
     channels_ = net_.planes.size();
     const json layers = list(file_, "layers", kMostLayers);
-    for (const json& entry : layers) add(JsonFields(entry, file_.file(), "layers"));
-    const std::size_t last = layers.size() - 1;
-    check_results(read_tensors(file_, last), fmt::format("layer{}", last), file_.file());
+    for (const json& entry : layers) {
+      add(JsonFields(entry, file_.file(), "layers"), &entry == &layers.back());
+    }
     if (file_.tensor_count() != 3 * layers.size()) {
       refuse("layers", "three tensors a layer and no others", file_.tensor_count());
     }
     if (side_ != 1) refuse("layers", "one pixel at the end", side_);
-    if (channels_ > kMostEmbeddingBytes || channels_ % kEmbeddingBlock != 0) {
+    if (!is_embedding_size(channels_)) {
       refuse("layers", "64 or 128 outputs at the end", channels_);
     }
     net_.size = channels_;
@@ -188,7 +187,7 @@ class NetReader {
     return JsonFields(fields, file_.file(), "").integer(key, 1, kMostScale);
   }
 
-  void add(const JsonFields& entry) {
+  void add(const JsonFields& entry, bool is_last) {
     const std::string name = fmt::format("layer{}", net_.layers.size());
     const auto stride = static_cast<std::size_t>(entry.integer("stride", 1, kCropSide));
     const auto padding = static_cast<std::size_t>(entry.integer("padding", 0, kCropSide / 2));
@@ -196,6 +195,7 @@ class NetReader {
     if (tensors.inputs != channels_) refuse(name + ".weight", inputs_text(), tensors.inputs);
     if (tensors.kernel > side_ + 2 * padding) refuse(name + ".weight", side_text(), tensors.kernel);
     check_sums(tensors, name, file_.file());
+    if (is_last) check_results(tensors, name, file_.file());
     // A layer reads what the one before writes, blocks of outputs and all.
     const std::size_t inputs = net_.layers.empty() ? rounded_up(channels_, kInputPair)
                                                    : rounded_up(channels_, kOutputBlock);
@@ -212,23 +212,20 @@ class NetReader {
   std::size_t side_ = kCropSide, channels_ = 0;
 };
 
-}  // namespace
-
-Net parse_net(std::string bytes, const std::string& name) {
-  const std::string hash = hash_hex(bytes);
-  const Safetensors file = Safetensors::parse(std::move(bytes), name);
+Net read_net(const Safetensors& file) {
   Net net = NetReader(file).read();
-  net.hash = hash;
+  net.hash = hash_hex(file.bytes());
   return net;
 }
 
+}  // namespace
+
+Net parse_net(std::string bytes, const std::string& name) {
+  return read_net(Safetensors::parse(std::move(bytes), name));
+}
+
 Net load_net(const std::filesystem::path& file) {
-  const std::string bytes = read_text(file);
-  if (bytes.size() > kMostFileBytes) {
-    throw Error(
-        {file.string(), "", "the weights of a descriptor", fmt::format("{} bytes", bytes.size())});
-  }
-  return parse_net(bytes, file.string());
+  return read_net(Safetensors::load(file, kMostFileBytes));
 }
 
 }  // namespace graspdb

@@ -52,17 +52,6 @@ std::string portable(const fs::path& path) {
   return (outside ? absolute : inside).string();
 }
 
-// The path `path` under `key`: absolute, beside the configuration's own file, or among the data.
-fs::path found(const TomlTable& table, const char* key, const std::string& path,
-               const fs::path& beside) {
-  for (const fs::path& candidate : {beside / path, data_directory() / path}) {
-    std::error_code fault;  // such as a name that no file can have
-    if (fs::exists(candidate, fault)) return candidate;
-    if (fault) table.fail(key, "a path", fault.message());
-  }
-  return data_directory() / path;
-}
-
 // JSON as TOML: the two differ in how a table joins key and value.
 std::string toml_value(const json& value) {
   if (!value.is_structured()) return value.dump();
@@ -144,16 +133,11 @@ BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
   BuildConfig config;
   if (table.has("hands")) {
     for (const auto& hand : table.strings("hands")) {
-      config.hands.push_back(found(table, "hands", hand, beside));
+      config.hands.push_back(table.found("hands", hand, beside));
     }
   }
-  config.grasps = found(table, "grasps", table.string_or("grasps", "grasps"), beside);
-  if (table.has("only")) {
-    for (const double id : table.numbers("only", -1, 1, kLargestGrasp)) {
-      if (id != std::floor(id)) table.fail("only", "whole numbers", fmt::format("{}", id));
-      config.only.push_back(static_cast<int>(id));
-    }
-  }
+  config.grasps = table.found("grasps", table.string_or("grasps", "grasps"), beside);
+  if (table.has("only")) config.only = table.integers("only", 1, kLargestGrasp);
   config.objects = read_name<Objects>(table, "objects", kObjectsNames);
   config.steps = table.integer_or("steps", config.steps, 1, 20);
   config.views = table.integer_or("views", config.views, 1, 100000);
@@ -165,7 +149,7 @@ BuildConfig read_config(const TomlTable& table, const fs::path& beside) {
   if (const auto jitter = table.table_if_any("jitter")) config.jitter = read_jitter(*jitter);
   config.hog = hog_from_name(table.string_or("hog", hog_name(config.hog)), table.file());
   if (table.has("descriptor")) {
-    config.descriptor = found(table, "descriptor", table.string("descriptor"), beside);
+    config.descriptor = table.found("descriptor", table.string("descriptor"), beside);
   }
   config.descriptor_hash = table.string_or("descriptor_hash", "");
   if (table.has("hand_hashes")) config.hand_hashes = table.strings("hand_hashes");

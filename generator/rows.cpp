@@ -22,12 +22,6 @@ JitterDraw draw_of(const Plan& plan, const Shard& shard) {
           plan.variants[shard.variant].copy};
 }
 
-// A hand that its object hides wholly has no direction.
-Embedding embedding(const EmbeddingNet& net, const GrayImage& gray, const Mask& hand) {
-  const auto square = crop_square(hand);
-  return square ? net.describe(crop_hand(gray, hand, *square)) : Embedding(net.size(), 128);
-}
-
 Row make_row(const Plan& plan, const JitterDraw& draw, const PosedScene& posed, std::size_t view) {
   const Camera camera = row_camera(plan, posed, view);
   const Light light = draw.light(plan.config.light, view);
@@ -36,7 +30,11 @@ Row make_row(const Plan& plan, const JitterDraw& draw, const PosedScene& posed, 
   Row row;
   row.view = static_cast<std::uint32_t>(view);
   row.hog = describe(picture.shading, hand, plan.config.hog);
-  if (plan.net) row.embedding = embedding(*plan.net, picture.shading, hand);
+  if (plan.net) {
+    // A hand that its object hides wholly has no direction.
+    const Embedding hidden(plan.net->size(), 128);
+    row.embedding = plan.net->describe(picture.shading, hand).value_or(hidden);
+  }
   if (const auto box = tight_box(hand)) row.box = box_in_tangents(*box, camera.intrinsics);
   return row;
 }

@@ -73,14 +73,6 @@ Mask isolated(const Mask& hand) {
 // As large as a hand is in a frame of 640 x 480: noise is stated in the frame's pixels.
 constexpr int kFrameSide = 200;
 
-Mask resized(const Mask& mask, int width, int height) {
-  Mask result(width, height);
-  cv::Mat image = as_mat(result);
-  cv::resize(as_mat(mask), image, image.size(), 0, 0, cv::INTER_LINEAR);
-  cv::threshold(image, image, 127, 255, cv::THRESH_BINARY);
-  return result;
-}
-
 Mask noisy(const Mask& hand, double percent, std::uint64_t seed) {
   const int factor = (kFrameSide + hand.width() - 1) / hand.width();
   const Mask large = resized(hand, hand.width() * factor, hand.height() * factor);

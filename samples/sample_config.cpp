@@ -6,8 +6,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "graspdb/core/error.h"
-#include "graspdb/core/file.h"
 #include "graspdb/core/toml.h"
 #include "graspdb/grasps/grasp.h"
 
@@ -56,20 +54,6 @@ constexpr Count kCounts[] = {
     {"largest_px", &SampleConfig::largest_px, 32, 512},
 };
 
-fs::path found(const fs::path& path, const fs::path& beside) {
-  const fs::path near = beside / path;
-  return fs::exists(near) ? near : data_directory() / path;
-}
-
-std::vector<int> grasp_ids(const TomlTable& table, const char* key) {
-  std::vector<int> ids;
-  for (const double id : table.numbers(key, -1, 1, kLargestGrasp)) {
-    if (id != static_cast<int>(id)) table.fail(key, "whole numbers", fmt::format("{}", id));
-    ids.push_back(static_cast<int>(id));
-  }
-  return ids;
-}
-
 void check_order(const TomlTable& table, const SampleConfig& config) {
   if (config.nearest_m > config.farthest_m) {
     table.fail("nearest_m", "no more than farthest_m", fmt::format("{}", config.nearest_m));
@@ -89,10 +73,12 @@ SampleConfig load_sample_config(const fs::path& file) {
   const fs::path beside = file.parent_path();
   SampleConfig config;
   if (table.has("hands")) {
-    for (const auto& hand : table.strings("hands")) config.hands.push_back(found(hand, beside));
+    for (const auto& hand : table.strings("hands")) {
+      config.hands.push_back(table.found("hands", hand, beside));
+    }
   }
-  if (table.has("grasps")) config.grasps = found(table.string("grasps"), beside);
-  if (table.has("leave_out")) config.leave_out = grasp_ids(table, "leave_out");
+  if (table.has("grasps")) config.grasps = table.found("grasps", table.string("grasps"), beside);
+  if (table.has("leave_out")) config.leave_out = table.integers("leave_out", 1, kLargestGrasp);
   for (const auto& [key, member, low, high] : kNumbers) {
     config.*member = table.number_or(key, config.*member, low, high);
   }

@@ -20,15 +20,12 @@ constexpr int kMostShapes = 20;  // of measures; one in ten is out of proportion
 
 std::vector<fs::path> default_hands() {
   std::vector<fs::path> files;
-  for (const char* name : {"male", "female", "slender", "child"}) {
-    files.push_back(data_directory() / "assets" / "hands" / (std::string(name) + ".glb"));
-  }
+  for (const std::string& name : kDefaultHands) files.push_back(default_hand_file(name));
   return files;
 }
 
-std::vector<Grasp> chosen_grasps(const SampleConfig& config) {
-  std::vector<Grasp> grasps =
-      load_grasps(config.grasps.empty() ? grasp_directory() : config.grasps);
+std::vector<Grasp> chosen_grasps(const SampleConfig& config, const fs::path& folder) {
+  std::vector<Grasp> grasps = load_grasps(folder);
   std::erase_if(grasps, [&](const Grasp& grasp) {
     return std::ranges::find(config.leave_out, grasp.id) != config.leave_out.end();
   });
@@ -84,8 +81,9 @@ const BaseHand& nearest_base(const HandLibrary& library, double length) {
 
 HandLibrary load_hand_library(const SampleConfig& config, int threads) {
   HandLibrary library;
-  const std::vector<Grasp> grasps = chosen_grasps(config);
-  library.rest = load_rest_pose(config.grasps.empty() ? grasp_directory() : config.grasps);
+  const fs::path folder = config.grasps.empty() ? grasp_directory() : config.grasps;
+  const std::vector<Grasp> grasps = chosen_grasps(config, folder);
+  library.rest = load_rest_pose(folder);
   for (const fs::path& file : config.hands.empty() ? default_hands() : config.hands) {
     library.bases.push_back(close_all(load_hand(file), grasps, threads));
     library.assets.push_back({library.bases.back().hand.name, hash_hex(read_text(file))});

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include "crop_frame.h"
-#include "graspdb/core/error.h"
 #include "graspdb/features/segmentation.h"
 #include "graspdb/samples/samples.h"
 #include "graspdb/sequences/frames.h"
@@ -11,19 +8,6 @@ namespace graspdb {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> sequence_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code fault;
-  for (const auto& entry : fs::directory_iterator(folder, fault)) {
-    if (entry.path().string().ends_with(".seq.toml")) files.push_back(entry.path());
-  }
-  if (files.empty()) {
-    throw Error({.file = folder.string(), .expected = "*.seq.toml", .found = "none"});
-  }
-  std::ranges::sort(files);
-  return files;
-}
 
 // As the tracker would describe the frame, had it found the true mask.
 std::optional<Sample> frame_sample(const SequenceFrames& frames, std::size_t frame, double length) {

@@ -105,6 +105,20 @@ int SequenceSpec::frame_count() const {
   return static_cast<int>(std::floor(duration * frames_per_second + 1e-9)) + 1;
 }
 
+std::vector<std::filesystem::path> sequence_files(const std::filesystem::path& given) {
+  if (std::filesystem::is_regular_file(given)) return {given};
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(given)) {
+    for (const auto& entry : std::filesystem::directory_iterator(given)) {
+      if (entry.path().string().ends_with(".seq.toml")) files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  if (files.empty())
+    throw Error({.file = given.string(), .expected = "sequences (*.seq.toml)", .found = "none"});
+  return files;
+}
+
 SequenceSpec load_sequence(const std::filesystem::path& file,
                            const std::filesystem::path& hand_file) {
   const TomlTable table = TomlTable::load(file);

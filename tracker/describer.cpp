@@ -42,9 +42,7 @@ Describer::~Describer() = default;
 Describer::Describer(Describer&&) noexcept = default;
 
 DescriptorBytes Describer::describe(const GrayImage& gray, const Mask& mask) const {
-  const auto square = crop_square(mask);
-  if (!square) return {};
-  if (state_->net) return state_->net->describe(crop_hand(gray, mask, *square));
+  if (state_->net) return state_->net->describe(gray, mask).value_or(Embedding{});
   const Descriptor hog = graspdb::describe(gray, mask, state_->hog);
   return {hog.begin(), hog.end()};
 }

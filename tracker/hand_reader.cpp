@@ -16,8 +16,11 @@ HandReader::HandReader(const Database& database, const ReaderOptions& options,
       search_(*own_search_),
       tracker_(database, search_, options.tracker) {}
 
-HandReader::HandReader(const Database& database, const Search& search, const ReaderOptions& options)
-    : options_(options), search_(search), tracker_(database, search_, options.tracker) {}
+HandReader::HandReader(const Database& database, const Search& search, const ReaderOptions& options,
+                       std::shared_ptr<const Describer> describer)
+    : options_(options),
+      search_(search),
+      tracker_(database, search_, options.tracker, std::move(describer)) {}
 
 Estimate HandReader::read(const ColorImage& frame, const Intrinsics& camera) {
   return read(observe(frame, camera));

@@ -99,8 +99,8 @@ Hand load_hand(const std::filesystem::path& hand_file) {
   return load_hand(hand_file, rig_map_beside(hand_file));
 }
 
-std::filesystem::path default_hand_file() {
-  return data_directory() / "assets/hands/male.glb";
+std::filesystem::path default_hand_file(const std::string& name) {
+  return data_directory() / "assets/hands" / (name + ".glb");
 }
 
 }  // namespace graspdb

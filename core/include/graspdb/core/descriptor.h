@@ -14,7 +14,10 @@ constexpr int kDescriptorSize = 512;
 using Descriptor = std::array<std::uint8_t, kDescriptorSize>;
 
 // A learned descriptor's code of a picture: a direction, with 128 for 0.
-constexpr std::size_t kEmbeddingBlock = 64, kMostEmbeddingBytes = 128;  // its size: 64 or 128
+constexpr std::size_t kEmbeddingBlock = 64, kMostEmbeddingBytes = 128;
+constexpr bool is_embedding_size(std::size_t bytes) {
+  return bytes == kEmbeddingBlock || bytes == kMostEmbeddingBytes;
+}
 using Embedding = std::vector<std::uint8_t>;
 
 // The bytes of either.

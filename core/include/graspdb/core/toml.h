@@ -33,8 +33,13 @@ class TomlTable {
   std::string choice(std::string_view key, const std::vector<std::string_view>& names) const;
   // `size` numbers, or any count when size < 0.
   std::vector<double> numbers(std::string_view key, int size, double low, double high) const;
+  std::vector<int> integers(std::string_view key, int low, int high) const;      // any count
   Eigen::Vector3d vector3(std::string_view key, double low, double high) const;  // each of them
   std::vector<std::string> strings(std::string_view key) const;
+  // Where the path `path`, which stands under `key`, leads: it is absolute, or seen from the folder
+  // `beside`, or from the data directory.
+  std::filesystem::path found(std::string_view key, const std::string& path,
+                              const std::filesystem::path& beside) const;
   TomlTable table(std::string_view key) const;
   std::optional<TomlTable> table_if_any(std::string_view key) const;
   std::vector<TomlTable> tables(std::string_view key) const;  // empty when the key is absent

@@ -3,13 +3,12 @@
 // code. Codes of like poses lie near to each other.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
-#include <string_view>
 
 #include "graspdb/core/descriptor.h"
 #include "graspdb/features/crop.h"
@@ -33,6 +32,8 @@ class EmbeddingNet {
   // The direction of the net's last layer: 128 is 0, and the distance of two codes tells their
   // angle. The same bytes on every processor.
   Embedding describe(const HandCrop& crop) const;
+  // The same of the mask's crop; none for an empty mask.
+  std::optional<Embedding> describe(const GrayImage& gray, const Mask& mask) const;
 
  private:
   struct State;

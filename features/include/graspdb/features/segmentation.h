@@ -66,6 +66,9 @@ std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi = {},
                const SkinOptions& options = {});
 
+// The mask with another number of pixels, cut at half.
+Mask resized(const Mask& mask, int width, int height);
+
 // Whether it shows no hand.
 bool is_empty(const Mask& mask);
 

@@ -69,6 +69,9 @@ struct SequenceSpec {
   int frame_count() const;
 };
 
+// A file itself, or all *.seq.toml of a folder by name. Throws Error when there are none.
+std::vector<std::filesystem::path> sequence_files(const std::filesystem::path& given);
+
 // Reads the sequence and the grasp that it names. `hand_file` replaces the sequence's own
 // hand when not empty. Throws Error naming file and key.
 SequenceSpec load_sequence(const std::filesystem::path& file,

@@ -25,7 +25,7 @@ class Describer {
   Describer(Describer&&) noexcept;
 
   // Of the size of Database::descriptors(). `gray` and `mask` are of one size; an empty mask gives
-  // no bytes.
+  // a HOG of zeros, or no bytes of an embedding.
   DescriptorBytes describe(const GrayImage& gray, const Mask& mask) const;
 
  private:

@@ -30,8 +30,9 @@ class HandReader {
   // Throws Error for a database of a descriptor that is not known and for an option out of range.
   explicit HandReader(const Database& database, const ReaderOptions& options = {},
                       const std::string& search = kDefaultSearch);
-  // With a search that several readers share.
-  HandReader(const Database& database, const Search& search, const ReaderOptions& options = {});
+  // With a search, and a describer if one is given, that several readers share.
+  HandReader(const Database& database, const Search& search, const ReaderOptions& options = {},
+             std::shared_ptr<const Describer> describer = nullptr);
 
   // The pose of the hand in the next frame. Without a hand the estimate is invalid, and the past is
   // forgotten. Throws Error for a database whose rows were altered.

@@ -36,6 +36,7 @@ class Safetensors {
   static Safetensors parse(std::string bytes, const std::string& file);
 
   const std::string& file() const { return file_; }
+  const std::string& bytes() const { return bytes_; }  // all of it
   // Throws Error for a key that is not there.
   const std::string& metadata(const std::string& key) const;
   // Throws Error for a tensor that is not there or not of this type and shape; a length of 0 stands

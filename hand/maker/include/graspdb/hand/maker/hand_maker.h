@@ -3,6 +3,7 @@
 // in a mid-range pose, with analytic skin weights.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,7 +25,9 @@ struct HandShape {
   double forearm_length_mm = 180;   // beyond the wrist joint
 };
 
-// The four default hands by name: male, female, slender, child. Throws Error for another name.
+inline const std::array<std::string, 4> kDefaultHands = {"male", "female", "slender", "child"};
+
+// The default hands by name. Throws Error for another name.
 HandShape default_hand_shape(const std::string& name);
 
 // Between what a measure may be, mm, from the smallest to the largest hand. Each hand must also be

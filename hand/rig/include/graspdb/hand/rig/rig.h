@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "graspdb/hand/hand.h"
 
@@ -42,7 +43,8 @@ std::filesystem::path rig_map_beside(const std::filesystem::path& hand_file);
 Hand load_hand(const std::filesystem::path& hand_file, const std::filesystem::path& rig_map);
 Hand load_hand(const std::filesystem::path& hand_file);
 
-// The hand of whoever names none: assets/hands/male.glb in the data directory.
-std::filesystem::path default_hand_file();
+// A default hand (hand_maker.h): assets/hands/NAME.glb in the data directory. That of whoever names
+// none is the male one.
+std::filesystem::path default_hand_file(const std::string& name = "male");
 
 }  // namespace graspdb
