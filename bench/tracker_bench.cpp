@@ -108,11 +108,12 @@ Percentiles percentiles_of(const std::vector<FrameTimes>& times, std::size_t sta
 SearchBench bench_search(const std::filesystem::path& file, const std::string& search,
                          const std::vector<ColorImage>& frames, std::size_t count) {
   begin_memory_anew();
-  SearchBench bench{.search = search, .tracker = ReaderOptions{}.tracker};
+  SearchBench bench{.search = search, .tracker = {}};
   bench.before = resident_memory();
   Stopwatch watch;
   const Database database = Database::open(file);
   bench.open_database_ms = watch.lap_ms();
+  bench.tracker = tuned_options(TemporalModel::kKde, descriptor_kind(database));
   HandReader reader(database, {.tracker = bench.tracker}, search);
   bench.open_search_ms = watch.lap_ms();
   const auto times = timed_reads(reader, frames, count);

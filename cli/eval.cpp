@@ -40,10 +40,10 @@ void write_all(const EvalArguments& options, const EvalReport& report, const std
   write_text(out / "eval.json", text);
 }
 
-EvalOptions eval_options(const EvalArguments& options) {
+EvalOptions eval_options(const EvalArguments& options, const Database& database) {
   EvalOptions settings{.trackers = {}, .alphas = options.noise.alphas, .seed = options.noise.seed};
   for (const TemporalModel model : kTemporalModels)
-    settings.trackers.push_back(options.tracker.options(model));
+    settings.trackers.push_back(options.tracker.options(model, database));
   return settings;
 }
 
@@ -54,7 +54,7 @@ void run(const EvalArguments& options) {
   if (!options.out.empty()) claim_folder(options.out, eval_content());
   const PoseGrid grid(database);
   const auto search = open_search(database, options.tracker.search);
-  const EvalOptions settings = eval_options(options);
+  const EvalOptions settings = eval_options(options, database);
   const DatabaseObjects objects(database);
   EvalReport report;
   for (const SequenceSpec& spec : set.specs()) {

@@ -38,8 +38,8 @@ struct TrackArguments {
   bool show = false;
 };
 
-ReaderOptions reader_options(const TrackArguments& options) {
-  ReaderOptions reader{.tracker = options.tracker.options(), .skin = options.skin};
+ReaderOptions reader_options(const TrackArguments& options, const Database& database) {
+  ReaderOptions reader{.tracker = options.tracker.options(database), .skin = options.skin};
   reader.left_hand = options.handedness == "left";
   const std::vector<int>& roi = options.roi;
   if (!roi.empty()) reader.roi = Box{roi[0], roi[1], roi[2], roi[3]};
@@ -70,7 +70,7 @@ class Run {
       : options_(options),
         source_(open_source(options.input, options.masks)),
         database_(Database::open(options.database)),
-        reader_(database_, reader_options(options), options.tracker.search),
+        reader_(database_, reader_options(options, database_), options.tracker.search),
         log_(options.json, database_, camera_number(options.input).has_value()) {
     tell_what_is_lacking(database_);
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());

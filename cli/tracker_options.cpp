@@ -40,8 +40,8 @@ void add_number(CLI::App& verb, const TrackerNumber& number, Value TrackerOption
 
 }  // namespace
 
-TrackerOptions TrackerSettings::options(TemporalModel model) const {
-  TrackerOptions options = tuned_options(model);
+TrackerOptions TrackerSettings::options(TemporalModel model, const Database& database) const {
+  TrackerOptions options = tuned_options(model, descriptor_kind(database));
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i]) set_number(options, kTrackerNumbers[i], *numbers[i]);
   }

@@ -17,9 +17,11 @@ struct TrackerSettings {
   std::string search = kDefaultSearch;
   std::array<std::optional<double>, kTrackerNumbers.size()> numbers;
 
-  // What is not given is as it was chosen for the temporal model.
-  TrackerOptions options(TemporalModel model) const;
-  TrackerOptions options() const { return options(temporal_from_name(temporal)); }
+  // What is not given is as it was chosen for the temporal model and the database's rows.
+  TrackerOptions options(TemporalModel model, const Database& database) const;
+  TrackerOptions options(const Database& database) const {
+    return options(temporal_from_name(temporal), database);
+  }
 };
 
 void add_tracker_options(CLI::App& verb, TrackerSettings& settings);

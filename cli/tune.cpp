@@ -46,22 +46,22 @@ std::string tuned_keys() {
   return all;
 }
 
-TrackerOptions tracker_of(const json& line, const std::string& file) {
-  TrackerOptions options = tuned_options(temporal_from_name(line.at("temporal")));
+TrackerOptions tracker_of(const json& line, const std::string& file, DescriptorKind kind) {
+  TrackerOptions options = tuned_options(temporal_from_name(line.at("temporal")), kind);
   for (const auto& [key, value] : line.items()) {
     if (key != "temporal") set_option(options, key, value.get<double>(), file);
   }
   return options;
 }
 
-std::vector<TrackerOptions> read_trackers(const std::string& path) {
+std::vector<TrackerOptions> read_trackers(const std::string& path, DescriptorKind kind) {
   std::ifstream file(path);
   std::vector<TrackerOptions> trackers;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     const std::string where = fmt::format("{}: line {}", path, ++number);
     try {
-      trackers.push_back(tracker_of(json::parse(line), where));
+      trackers.push_back(tracker_of(json::parse(line), where, kind));
     } catch (const json::exception& error) {
       throw Error({where, "", "{\"temporal\": NAME, OPTION: NUMBER, ...}", error.what()});
     }
@@ -87,7 +87,7 @@ json mean_errors(const SequenceEvaluation& sequence, std::size_t tracker, std::s
 
 void run(const TuneArguments& options) {
   const Database database = Database::open(options.database);
-  const EvalOptions settings{.trackers = read_trackers(options.trackers),
+  const EvalOptions settings{.trackers = read_trackers(options.trackers, descriptor_kind(database)),
                              .alphas = options.noise.alphas,
                              .seed = options.noise.seed};
   SequenceSet set(options.set);

@@ -164,9 +164,9 @@ Answer answer_of(const Estimate& estimate, const Database& database) {
   return answer;
 }
 
-std::vector<TrackerOptions> all_trackers() {
+std::vector<TrackerOptions> all_trackers(DescriptorKind kind) {
   std::vector<TrackerOptions> trackers;
-  for (const TemporalModel model : kTemporalModels) trackers.push_back(tuned_options(model));
+  for (const TemporalModel model : kTemporalModels) trackers.push_back(tuned_options(model, kind));
   return trackers;
 }
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Chooses the tracker's options on the training sequences and writes them where it finds them.
 
-    scripts/tune.py DB [--graspdb build/release/cli/graspdb] [--write tracker/tuned_options.cpp]
+    scripts/tune.py DB [--graspdb build/release/cli/graspdb] [--write tracker/tuned_for_hogs.cpp]
 
 For each temporal model by itself: every option is moved one place up and down its list, and all
 those moves that help are made at once, or where that was tried before the best one; again, until
@@ -21,7 +21,7 @@ import tempfile
 PLACES = {
     "neighbours": (10, 20, 50, 100, 200, 400),
     "kept": (5, 10, 20, 50, 100),
-    "sigma_hog": (0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0),
+    "sigma_hog": (0.04, 0.06, 0.08, 0.11, 0.15, 0.2, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0),
     "sigma_stretch": (0.1, 0.15, 0.2, 0.3, 0.5),
     "sigma_pose": (0.2, 0.25, 0.35, 0.5, 0.7),
     "bandwidth": (0.2, 0.25, 0.35, 0.5, 0.7),
@@ -36,17 +36,18 @@ OPTIONS = {  # those that a model reads
 }
 START = {"neighbours": 50, "kept": 20, "sigma_hog": 1.0, "sigma_stretch": 0.2, "sigma_pose": 0.35,
          "bandwidth": 0.35, "merge_deg": 0}
+START_OF_CODES = {**START, "neighbours": 200, "sigma_hog": 0.15, "merge_deg": 30}  # learned descriptors
 ROUNDS = 5
 MEMBER = {"neighbours": "neighbors"}  # where C++ spells it otherwise
 MAX_DISTANCE = 5.0  # not chosen: it tells what is no hand
 HEADER = """// SPDX-License-Identifier: MIT
 // Written by scripts/tune.py.
 #include "graspdb/core/error.h"
-#include "graspdb/tracker/tracker.h"
+#include "tuned.h"
 
 namespace graspdb {
 
-TrackerOptions tuned_options(TemporalModel temporal) {
+TrackerOptions FUNCTION(TemporalModel temporal) {
   switch (temporal) {
 """
 FOOTER = """  }
@@ -135,9 +136,9 @@ def statement(trial):
     return begin + (",\n" + len(begin) * " ").join(fields) + "};\n"
 
 
-def source(best):
-    """The text of tracker/tuned_options.cpp."""
-    return HEADER + "".join(
+def source(best, function):
+    """The text of tracker/tuned_for_hogs.cpp or tuned_for_codes.cpp, whose name is the function's."""
+    return HEADER.replace("FUNCTION", function) + "".join(
         f"    case TemporalModel::k{model.capitalize()}:\n" + statement(trial)
         for model, trial in best.items()) + FOOTER
 
@@ -158,8 +159,9 @@ def main():
     parser.add_argument("database")
     parser.add_argument("--graspdb", default="build/release/cli/graspdb")
     parser.add_argument("--sequences", default="sequences/train")
+    parser.add_argument("--codes", action="store_true", help="DB has the codes of a learned descriptor")
     parser.add_argument("--log", type=pathlib.Path, help="a JSON line for every trial")
-    parser.add_argument("--write", type=pathlib.Path, help="tracker/tuned_options.cpp")
+    parser.add_argument("--write", type=pathlib.Path, help="tracker/tuned_for_hogs.cpp or tuned_for_codes.cpp")
     arguments = parser.parse_args()
     log = arguments.log.open("w") if arguments.log else None
 
@@ -170,12 +172,13 @@ def main():
             log.flush()
         return [means(result) for result in results]
 
-    start = {model: {"temporal": model, **{option: START[option] for option in options}}
+    first = START_OF_CODES if arguments.codes else START
+    start = {model: {"temporal": model, **{option: first[option] for option in options}}
              for model, options in OPTIONS.items()}
     best, measured = descend(measure, start)
     print(table(best, measured))
     if arguments.write:
-        arguments.write.write_text(source(best))
+        arguments.write.write_text(source(best, arguments.write.stem))
 
 
 if __name__ == "__main__":

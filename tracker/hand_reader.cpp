@@ -8,19 +8,27 @@
 #include "mirror.h"
 
 namespace graspdb {
+namespace {
+
+TrackerOptions tracker_options(const Database& database, const ReaderOptions& options) {
+  return options.tracker.value_or(
+      tuned_options(TemporalModel::kKde, descriptor_kind(database)));
+}
+
+}  // namespace
 
 HandReader::HandReader(const Database& database, const ReaderOptions& options,
                        const std::string& search)
     : options_(options),
       own_search_(open_search(database, search)),
       search_(*own_search_),
-      tracker_(database, search_, options.tracker) {}
+      tracker_(database, search_, tracker_options(database, options)) {}
 
 HandReader::HandReader(const Database& database, const Search& search, const ReaderOptions& options,
                        std::shared_ptr<const Describer> describer)
     : options_(options),
       search_(search),
-      tracker_(database, search_, options.tracker, std::move(describer)) {}
+      tracker_(database, search_, tracker_options(database, options), std::move(describer)) {}
 
 Estimate HandReader::read(const ColorImage& frame, const Intrinsics& camera) {
   return read(observe(frame, camera));

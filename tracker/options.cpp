@@ -3,6 +3,7 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/tracker/tracker.h"
+#include "tuned.h"
 
 namespace graspdb {
 namespace {
@@ -13,6 +14,14 @@ double number_of(const TrackerOptions& options, const TrackerNumber& number) {
 }
 
 }  // namespace
+
+DescriptorKind descriptor_kind(const Database& database) {
+  return database.has_embeddings() ? DescriptorKind::kLearned : DescriptorKind::kHog;
+}
+
+TrackerOptions tuned_options(TemporalModel temporal, DescriptorKind kind) {
+  return kind == DescriptorKind::kHog ? tuned_for_hogs(temporal) : tuned_for_codes(temporal);
+}
 
 void set_number(TrackerOptions& options, const TrackerNumber& number, double value) {
   std::visit(

@@ -25,9 +25,12 @@ double descriptor_distance(const Neighbor& neighbor) {
 
 // How often answers of the training sequences (alpha 0 and 2 %) are right to 30 degrees, by the
 // distance of the nearest descriptor: scripts/fit_confidence.py drew the curve through them.
-double confidence_at(double distance) {
-  constexpr double kHalf = 3.9, kWidth = 1.2;
-  return 1 / (1 + std::exp((distance - kHalf) / kWidth));
+double confidence_at(double distance, DescriptorKind kind) {
+  struct Curve {
+    double half, width;
+  };
+  const Curve curve = kind == DescriptorKind::kHog ? Curve{3.9, 1.2} : Curve{0.8, 0.2};
+  return 1 / (1 + std::exp((distance - curve.half) / curve.width));
 }
 
 }  // namespace
@@ -64,7 +67,7 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   estimate.ms.search = watch.lap_ms();
   if (neighbors.empty()) return false;
   estimate.distance = descriptor_distance(neighbors.front());
-  estimate.confidence = confidence_at(estimate.distance);
+  estimate.confidence = confidence_at(estimate.distance, descriptor_kind(database_));
   if (estimate.distance > options_.max_distance) return false;
   std::vector<Candidate> candidates = look_up(neighbors, *box, seen.camera);
   if (candidates.empty()) return false;

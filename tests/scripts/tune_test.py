@@ -12,7 +12,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 # pylint: disable=wrong-import-position
 import tune
 
-WRITTEN = Path(__file__).resolve().parents[2] / "tracker/tuned_options.cpp"
+TRACKER = Path(__file__).resolve().parents[2] / "tracker"
+WRITTEN = [TRACKER / "tuned_for_hogs.cpp", TRACKER / "tuned_for_codes.cpp"]
 LEAST = {"neighbours": 200, "kept": 100, "sigma_hog": 0.7, "sigma_stretch": 0.5, "sigma_pose": 0.25,
          "bandwidth": 0.7, "merge_deg": 20}
 
@@ -50,7 +51,7 @@ class Tune(unittest.TestCase):
         self.assertEqual(best, {"none": trial})
 
     def test_what_a_model_does_not_read_is_as_at_the_start(self):
-        text = tune.source({"none": {**start("none"), "sigma_hog": 2.8}, "kde": start("kde")})
+        text = tune.source({"none": {**start("none"), "sigma_hog": 2.8}, "kde": start("kde")}, "tuned")
         none, kde = text.split("kKde")
         self.assertIn("case TemporalModel::kNone:", none)
         self.assertIn(".sigma_hog = 2.8", none)
@@ -58,10 +59,10 @@ class Tune(unittest.TestCase):
         self.assertIn(".neighbors = 50", kde)
         self.assertEqual(text.count(".max_distance = 5.0"), 2)
 
-    def chosen(self):
-        """What tuned_options.cpp holds, as source() was given it."""
+    def chosen(self, written):
+        """What the file holds, as source() was given it."""
         best = {}
-        for case in WRITTEN.read_text().split("case TemporalModel::k")[1:]:
+        for case in written.read_text().split("case TemporalModel::k")[1:]:
             model = case.split(":")[0].lower()
             values = dict(re.findall(r"\.(\w+) = ([\d.]+)", case))
             best[model] = {option: float(value) if "." in value else int(value)
@@ -70,7 +71,8 @@ class Tune(unittest.TestCase):
         return best
 
     def test_the_file_that_is_there_is_what_it_would_write(self):
-        self.assertEqual(tune.source(self.chosen()), WRITTEN.read_text())
+        for written in WRITTEN:
+            self.assertEqual(tune.source(self.chosen(written), written.stem), written.read_text())
 
     @unittest.skipUnless(shutil.which("clang-format"), "no clang-format")
     def test_leaves_nothing_to_clang_format(self):
@@ -79,9 +81,9 @@ class Tune(unittest.TestCase):
         for which in (min, max):  # the shortest lines that can be chosen, and the longest
             text = tune.source({model: {option: which(tune.PLACES[option], key=written)
                                         for option in options}
-                                for model, options in tune.OPTIONS.items()})
+                                for model, options in tune.OPTIONS.items()}, "tuned_for_codes")
             formatted = subprocess.run(
-                ["clang-format", f"--assume-filename={WRITTEN}"], input=text, text=True,
+                ["clang-format", f"--assume-filename={WRITTEN[0]}"], input=text, text=True,
                 stdout=subprocess.PIPE, check=True).stdout
             self.assertEqual(text, formatted)
 

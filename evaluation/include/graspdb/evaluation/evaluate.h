@@ -19,7 +19,7 @@
 namespace graspdb {
 
 // Each temporal model once, with the options that were chosen for it.
-std::vector<TrackerOptions> all_trackers();
+std::vector<TrackerOptions> all_trackers(DescriptorKind kind = DescriptorKind::kHog);
 
 struct EvalOptions {
   std::vector<TrackerOptions> trackers = all_trackers();

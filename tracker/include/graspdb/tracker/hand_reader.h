@@ -17,7 +17,7 @@
 namespace graspdb {
 
 struct ReaderOptions {
-  TrackerOptions tracker = tuned_options(TemporalModel::kKde);
+  std::optional<TrackerOptions> tracker;  // absent: kde, as tuned for the database's rows
   SkinOptions skin;
   std::optional<Box> roi;  // pixels; the hand is the largest region that touches it
   bool left_hand = false;  // frames are mirrored on the way in, answers on the way out

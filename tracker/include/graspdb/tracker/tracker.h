@@ -52,8 +52,12 @@ struct TrackerOptions {
   double max_distance = 0;   // a nearest descriptor further away is no hand, .01..1000
 };
 
-// As chosen for this temporal model on the training sequences (docs/tracking.md).
-TrackerOptions tuned_options(TemporalModel temporal);
+// What rows are searched by. Distances of the two have nothing in common.
+enum class DescriptorKind { kHog, kLearned };
+DescriptorKind descriptor_kind(const Database& database);
+
+// As chosen for this temporal model and such rows on the training sequences (docs/tracking.md).
+TrackerOptions tuned_options(TemporalModel temporal, DescriptorKind kind = DescriptorKind::kHog);
 
 // One of the numbers among them.
 struct TrackerNumber {

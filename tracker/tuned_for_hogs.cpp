@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Written by scripts/tune.py.
 #include "graspdb/core/error.h"
-#include "graspdb/tracker/tracker.h"
+#include "tuned.h"
 
 namespace graspdb {
 
-TrackerOptions tuned_options(TemporalModel temporal) {
+TrackerOptions tuned_for_hogs(TemporalModel temporal) {
   switch (temporal) {
     case TemporalModel::kNone:
       return {.temporal = temporal,

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Written by scripts/tune.py.
+#include "graspdb/core/error.h"
+#include "tuned.h"
+
+namespace graspdb {
+
+TrackerOptions tuned_for_codes(TemporalModel temporal) {
+  switch (temporal) {
+    case TemporalModel::kNone:
+      return {.temporal = temporal,
+              .neighbors = 200,
+              .kept = 20,
+              .sigma_hog = 0.15,
+              .sigma_stretch = 0.2,
+              .sigma_pose = 0.35,
+              .bandwidth = 0.35,
+              .merge_deg = 40,
+              .max_distance = 5.0};
+    case TemporalModel::kGaussian:
+      return {.temporal = temporal,
+              .neighbors = 50,
+              .kept = 20,
+              .sigma_hog = 0.15,
+              .sigma_stretch = 0.3,
+              .sigma_pose = 0.35,
+              .bandwidth = 0.35,
+              .merge_deg = 40,
+              .max_distance = 5.0};
+    case TemporalModel::kKde:
+      return {.temporal = temporal,
+              .neighbors = 200,
+              .kept = 50,
+              .sigma_hog = 0.15,
+              .sigma_stretch = 0.15,
+              .sigma_pose = 0.35,
+              .bandwidth = 0.35,
+              .merge_deg = 40,
+              .max_distance = 5.0};
+    case TemporalModel::kSuccessors:
+      return {.temporal = temporal,
+              .neighbors = 10,
+              .kept = 100,
+              .sigma_hog = 0.15,
+              .sigma_stretch = 0.1,
+              .sigma_pose = 0.35,
+              .bandwidth = 0.35,
+              .merge_deg = 40,
+              .max_distance = 5.0};
+  }
+  GRASPDB_CHECK(false);
+}
+
+}  // namespace graspdb
