@@ -17,7 +17,7 @@ namespace {
 constexpr int kMostSamples = 500'000;
 
 struct SampleArguments {
-  std::string out, sheet, config, sequences, descriptor;
+  std::string out, sheet, config, sequences, photoreal, descriptor;
   std::uint64_t first = 0;
   int count = 10'000, threads = 0;
 };
@@ -46,7 +46,7 @@ void make_samples(const SampleArguments& options) {
 
 void take_sequences(const SampleArguments& options) {
   SequenceSamples sequences =
-      sequence_samples(options.sequences, console_progress("rendered", "sequences"));
+      sequence_samples(options.sequences, options.photoreal, console_progress("read", "sequences"));
   describe(options, sequences.samples);
   if (!options.out.empty()) write_samples(options.out, sequences);
   write_sheet(options, sequences.samples);
@@ -69,11 +69,15 @@ void add_samples(CLI::App& app) {
   CLI::Option* count =
       verb->add_option("--count", options->count, "How many")->check(range(1, kMostSamples));
   CLI::Option* config = verb->add_option("--config", options->config, "A TOML file of options");
-  verb->add_option("--sequences", options->sequences,
-                   "The frames of this folder's *.seq.toml instead, with their true masks")
-      ->excludes(first)
-      ->excludes(count)
-      ->excludes(config);
+  CLI::Option* sequences =
+      verb->add_option("--sequences", options->sequences,
+                       "The frames of this folder's *.seq.toml instead, with their true masks")
+          ->excludes(first)
+          ->excludes(count)
+          ->excludes(config);
+  verb->add_option("--photoreal", options->photoreal,
+                   "Of those that have frames in this folder, NAME/000000.jpg ..., these frames")
+      ->needs(sequences);
   verb->add_option("--descriptor", options->descriptor,
                    "A file of weights: the samples have its codes, too");
   verb->add_option("--threads", options->threads, "Threads, 0 for all processors; changes no byte")

@@ -73,8 +73,10 @@ std::optional<SequenceRenderer> SequenceSet::renderer(const SequenceSpec& own) {
 }
 
 SequenceFrames SequenceSet::frames(const SequenceRenderer& renderer) const {
-  return options_.photoreal.empty() ? render_frames(renderer)
-                                    : photoreal_frames(renderer, options_.photoreal);
+  if (options_.photoreal.empty()) return render_frames(renderer);
+  const FrameKind kind =
+      options_.true_masks ? FrameKind::kPhotorealTrueMasks : FrameKind::kPhotoreal;
+  return photoreal_frames(renderer, options_.photoreal, kind);
 }
 
 nlohmann::json SequenceSet::json() const {
@@ -93,6 +95,9 @@ void add_sequence_options(CLI::App& verb, SequenceSetOptions& options) {
       verb.add_option("--photoreal", options.photoreal,
                       "A folder of photoreal frames, NAME/000000.jpg ...: only sequences that have "
                       "them are run, on them, with the hand found by its colour");
+  verb.add_flag("--true-masks", options.true_masks,
+                "Photoreal frames are shown with the hand's true mask instead")
+      ->needs(photoreal);
   CLI::Option* hand =
       verb.add_option("--hand", options.hand, "A rigged hand instead of the sequences' own");
   CLI::Option* grasps = verb.add_option(

@@ -17,6 +17,7 @@ namespace graspdb::cli {
 struct SequenceSetOptions {
   std::string sequences;     // a folder of *.seq.toml, or one of them
   std::string photoreal;     // a folder of frames; empty: they are rendered
+  bool true_masks = false;   // of photoreal frames, instead of those found
   std::string hand, grasps;  // instead of the sequences' own, unless empty
   std::optional<double> fps;
 };

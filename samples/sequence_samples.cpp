@@ -3,6 +3,7 @@
 #include "graspdb/features/segmentation.h"
 #include "graspdb/samples/samples.h"
 #include "graspdb/sequences/frames.h"
+#include "graspdb/sequences/photoreal.h"
 
 namespace graspdb {
 namespace {
@@ -28,23 +29,41 @@ std::optional<Sample> frame_sample(const SequenceFrames& frames, std::size_t fra
                 .hidden = frames.occlusion[frame]};
 }
 
+std::vector<SequenceSpec> specs_of(const fs::path& folder, const fs::path& photoreal) {
+  std::vector<SequenceSpec> specs;
+  for (const fs::path& file : sequence_files(folder)) {
+    SequenceSpec spec = load_sequence(file);
+    if (photoreal.empty() || has_photoreal_frames(spec, photoreal))
+      specs.push_back(std::move(spec));
+  }
+  return specs;
+}
+
+SequenceFrames frames_of(const SequenceRenderer& renderer, const fs::path& photoreal) {
+  if (photoreal.empty()) return render_frames(renderer);
+  return photoreal_frames(renderer, photoreal, FrameKind::kPhotorealTrueMasks);
+}
+
+void add_frames(SequenceSamples& result, const SequenceFrames& frames, double length) {
+  for (std::size_t i = 0; i < frames.gray.size(); ++i) {
+    std::optional<Sample> sample = frame_sample(frames, i, length);
+    if (!sample) continue;
+    sample->sequence = static_cast<std::uint32_t>(result.names.size());
+    result.samples.push_back(std::move(*sample));
+  }
+  result.names.push_back(frames.name);
+}
+
 }  // namespace
 
-SequenceSamples sequence_samples(const fs::path& folder, const Progress& progress) {
-  const std::vector<fs::path> files = sequence_files(folder);
+SequenceSamples sequence_samples(const fs::path& folder, const fs::path& photoreal,
+                                 const Progress& progress) {
+  const std::vector<SequenceSpec> specs = specs_of(folder, photoreal);
   SequenceSamples result;
-  for (const fs::path& file : files) {
-    const SequenceRenderer renderer(load_sequence(file));
-    const SequenceFrames frames = render_frames(renderer);
-    const double length = hand_length(renderer.hand().skeleton);
-    for (std::size_t i = 0; i < frames.gray.size(); ++i) {
-      std::optional<Sample> sample = frame_sample(frames, i, length);
-      if (!sample) continue;
-      sample->sequence = static_cast<std::uint32_t>(result.names.size());
-      result.samples.push_back(std::move(*sample));
-    }
-    result.names.push_back(frames.name);
-    if (progress) progress(result.names.size(), files.size());
+  for (const SequenceSpec& spec : specs) {
+    const SequenceRenderer renderer(spec);
+    add_frames(result, frames_of(renderer, photoreal), hand_length(renderer.hand().skeleton));
+    if (progress) progress(result.names.size(), specs.size());
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/sequences/frames.h"
 
+#include "graspdb/core/error.h"
 #include "graspdb/core/parallel.h"
 #include "graspdb/features/segmentation.h"
 
@@ -25,7 +26,15 @@ SequenceFrames render_frames(const SequenceRenderer& sequence) {
 }
 
 std::string kind_name(FrameKind kind) {
-  return kind == FrameKind::kRendered ? "rendered" : "photoreal";
+  switch (kind) {
+    case FrameKind::kRendered:
+      return "rendered";
+    case FrameKind::kPhotoreal:
+      return "photoreal";
+    case FrameKind::kPhotorealTrueMasks:
+      return "photoreal-true-masks";
+  }
+  GRASPDB_CHECK(false);
 }
 
 }  // namespace graspdb

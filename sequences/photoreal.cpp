@@ -24,6 +24,15 @@ ColorImage read_frame(const fs::path& file, const Intrinsics& camera) {
                fmt::format("{} x {}", color.width(), color.height())});
 }
 
+// In place of the true mask.
+void find_hand_of_frame(SequenceFrames& frames, std::size_t i, const ColorImage& color) {
+  const Mask nothing(color.width(), color.height());
+  const Mask region = find_region(color).value_or(nothing);
+  const Mask found = isolate_hand(region);
+  frames.segmentation_iou[i] = mask_iou(found, isolate_hand(frames.hand[i]));
+  frames.hand[i] = is_empty(found) ? nothing : region;
+}
+
 }  // namespace
 
 bool has_photoreal_frames(const SequenceSpec& spec, const fs::path& folder) {
@@ -38,19 +47,18 @@ bool has_photoreal_frames(const SequenceSpec& spec, const fs::path& folder) {
                fmt::format("{}", found)});
 }
 
-SequenceFrames photoreal_frames(const SequenceRenderer& sequence, const fs::path& folder) {
+SequenceFrames photoreal_frames(const SequenceRenderer& sequence, const fs::path& folder,
+                                FrameKind kind) {
+  GRASPDB_CHECK(kind != FrameKind::kRendered);
   SequenceFrames frames = render_frames(sequence);
-  frames.kind = FrameKind::kPhotoreal;
-  frames.segmentation_iou.resize(frames.hand.size());
+  frames.kind = kind;
+  const bool find = kind == FrameKind::kPhotoreal;
+  if (find) frames.segmentation_iou.resize(frames.hand.size());
   parallel_for(frames.hand.size(), 0, [&](std::size_t i) {
     const fs::path file = folder / frames.name / fmt::format("{:06}.jpg", i);
     const ColorImage color = read_frame(file, frames.camera);
-    const Mask nothing(color.width(), color.height());
-    const Mask region = find_region(color).value_or(nothing);
-    const Mask found = isolate_hand(region);
-    frames.segmentation_iou[i] = mask_iou(found, isolate_hand(frames.hand[i]));
     frames.gray[i] = to_gray(color);
-    frames.hand[i] = is_empty(found) ? nothing : region;
+    if (find) find_hand_of_frame(frames, i, color);
   });
   return frames;
 }

@@ -219,8 +219,21 @@ TEST_F(Eval, PhotorealFramesAreEvaluatedAloneAndSaySo) {
     EXPECT_EQ(read_csv(path(file))[0].at("kind"), "photoreal");
   EXPECT_GT(std::stod(read_csv(path("photo-out/runs.csv"))[0].at("segmentation_iou")), 0.9);
 
+  const Outcome true_masks = run_program(eval + " --true-masks");
+  ASSERT_EQ(true_masks.code, 0) << true_masks.err;
+  EXPECT_THAT(true_masks.out, HasSubstr("one, photoreal-true-masks frames:"));
+  EXPECT_THAT(true_masks.out, Not(HasSubstr("found hand against true hand")));
+
   EXPECT_EQ(json::parse(outcome_.out)["kind"], "rendered");
   EXPECT_EQ(read_csv(path("out/runs.csv"))[0].at("segmentation_iou"), "");
+}
+
+TEST_F(Eval, SamplesOfPhotorealFramesAreOfTheSequencesThatHaveThem) {
+  write_photographs(path("set/one.seq.toml"), path("photos/one"));
+  const Outcome samples = run_program("samples --sequences " + path("set") + " --photoreal " +
+                                      path("photos") + " --out " + path("photos.safetensors"));
+  ASSERT_EQ(samples.code, 0) << samples.err;
+  EXPECT_THAT(samples.out, HasSubstr("frames of 1 sequences"));
 }
 
 TEST_F(Eval, AFolderWithTooFewPhotorealFramesIsRefusedBeforeAnythingIsRun) {

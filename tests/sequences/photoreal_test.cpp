@@ -82,6 +82,17 @@ TEST_F(Photoreal, TheHandIsTheOneThatItsColorTells) {
   }
 }
 
+TEST_F(Photoreal, TrueMasksAreThoseOfTheSequence) {
+  write_own_frames(4);
+  const SequenceFrames photos =
+      photoreal_frames(*renderer_, folder_.path(), FrameKind::kPhotorealTrueMasks);
+  EXPECT_EQ(photos.kind, FrameKind::kPhotorealTrueMasks);
+  EXPECT_TRUE(photos.segmentation_iou.empty());
+  const SequenceFrames rendered = render_frames(*renderer_);
+  EXPECT_EQ(photos.hand, rendered.hand);
+  EXPECT_EQ(photos.gray, frames().gray);
+}
+
 TEST_F(Photoreal, APictureWithoutSkinShowsNoHand) {
   write_own_frames(3);
   write_jpeg(frame(3), ColorImage(320, 240, {120, 120, 120}));

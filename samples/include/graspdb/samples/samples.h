@@ -61,12 +61,14 @@ class SampleMaker {
 };
 
 // The frames of evaluation sequences (*.seq.toml) of a folder as samples, with their true masks, in
-// the order of their names.
+// the order of their names. With a folder of photoreal frames (graspdb/sequences/photoreal.h): of
+// the sequences that have such frames, these.
 struct SequenceSamples {
   std::vector<std::string> names;  // of sequences
   std::vector<Sample> samples;     // frames that show no hand are left out
 };
 SequenceSamples sequence_samples(const std::filesystem::path& folder,
+                                 const std::filesystem::path& photoreal = {},
                                  const Progress& progress = {});
 
 // Gives each its code by this net.

@@ -13,9 +13,9 @@
 namespace graspdb {
 
 // Where frames and masks come from: this project's renderer and the true mask, or photorealistic
-// pictures (photoreal.h) and a mask found in them. Their numbers are never mixed.
-enum class FrameKind { kRendered, kPhotoreal };
-std::string kind_name(FrameKind kind);  // "rendered", "photoreal"
+// pictures (photoreal.h) and a mask found in them, or the true one. Their numbers are never mixed.
+enum class FrameKind { kRendered, kPhotoreal, kPhotorealTrueMasks };
+std::string kind_name(FrameKind kind);  // "rendered", "photoreal", "photoreal-true-masks"
 
 // What the tracker is shown of one sequence and what it is held against.
 struct SequenceFrames {
@@ -27,7 +27,7 @@ struct SequenceFrames {
   std::vector<FrameTruth> truth;
   std::vector<double> occlusion;
   FrameKind kind = FrameKind::kRendered;
-  std::vector<double> segmentation_iou;  // NaN where neither has a hand; empty when rendered
+  std::vector<double> segmentation_iou;  // of found masks, else empty; NaN where neither has a hand
 };
 SequenceFrames render_frames(const SequenceRenderer& sequence);
 

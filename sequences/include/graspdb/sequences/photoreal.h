@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames of a sequence that another renderer made as photographs (docs/sequences.md): the hand in
-// them is found by the colour of its skin, as in a camera's frames; the truth is the sequence's.
+// Frames of a sequence that another renderer made as photographs (docs/sequences.md); the truth is
+// the sequence's.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,13 @@ namespace graspdb {
 // (000000.jpg, 000001.jpg ...) are not as many as the sequence has frames.
 bool has_photoreal_frames(const SequenceSpec& spec, const std::filesystem::path& folder);
 
-// What find_hand() tells apart from the rest, with its forearm: evaluate() cuts it after it has
-// added noise, so that without noise the tracker is given what find_hand() finds. Throws Error for
-// a picture that is missing or not of the camera's size.
+// kPhotoreal: the hand is found by the colour of its skin, as in a camera's frames, with its
+// forearm: evaluate() cuts it after it has added noise, so that without noise the tracker is given
+// what find_hand() finds. kPhotorealTrueMasks: the masks are the sequence's. Throws Error for a
+// picture that is missing or not of the camera's size.
 SequenceFrames photoreal_frames(const SequenceRenderer& sequence,
-                                const std::filesystem::path& folder);
+                                const std::filesystem::path& folder,
+                                FrameKind kind = FrameKind::kPhotoreal);
 
 // Intersection over union of two masks of one size; NaN when both are empty.
 double mask_iou(const Mask& a, const Mask& b);
