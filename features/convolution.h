@@ -9,10 +9,10 @@
 
 namespace graspdb {
 
-// Output channels are worked on in blocks, inputs in pairs: numbers of channels are rounded up to
+// Output channels are worked on in blocks, inputs in fours: numbers of channels are rounded up to
 // these, with weights of 0.
 constexpr std::size_t kOutputBlock = 16;
-constexpr std::size_t kInputPair = 2;
+constexpr std::size_t kInputQuad = 4;
 
 // A square convolution over a square picture whose channels are the fastest index. A linear layer
 // is one whose kernel is as large as the picture.
@@ -20,7 +20,7 @@ struct Convolution {
   std::size_t inputs = 0, outputs = 0;  // channels, rounded up
   std::size_t kernel = 1, stride = 1, padding = 0;
   std::size_t side = 0;                        // of the picture that comes in, without padding
-  std::vector<std::int16_t> weights;           // [outputs / 16][kernel][kernel * inputs / 2][16][2]
+  std::vector<std::int8_t> weights;            // [outputs / 16][kernel][kernel * inputs / 4][16][4]
   std::vector<std::int32_t> bias, multiplier;  // one an output; multipliers are not negative
 
   std::size_t padded_side() const { return side + 2 * padding; }
@@ -30,7 +30,7 @@ struct Convolution {
 // Row `y` of the result: for each pixel and output (the sum of products + bias) * multiplier /
 // 2^32, rounded, a half upwards. `picture` has padded_side() x padded_side() pixels, `row`
 // out_side(). The sums must stay below 2^31.
-void convolve_row(const Convolution& layer, std::span<const std::int16_t> picture, std::size_t y,
+void convolve_row(const Convolution& layer, std::span<const std::uint8_t> picture, std::size_t y,
                   std::span<std::int32_t> row);
 
 }  // namespace graspdb

@@ -10,8 +10,8 @@
 namespace graspdb {
 namespace {
 
-// A picture of whole numbers with a frame of zeros, as a layer wants it.
-using Picture = std::vector<std::int16_t>;
+// With a frame of zeros, as a layer wants it.
+using Picture = std::vector<std::uint8_t>;
 
 Picture first_picture(const Net& net, const HandCrop& crop) {
   const Convolution& layer = net.layers.front();
@@ -36,7 +36,7 @@ Picture next_picture(const Convolution& layer, const Convolution& next, const Pi
         ((y + next.padding) * next.padded_side() + next.padding) * next.inputs;
     std::ranges::transform(
         row, result.begin() + static_cast<std::ptrdiff_t>(start),
-        [](std::int32_t value) { return static_cast<std::int16_t>(std::clamp(value, 0, 255)); });
+        [](std::int32_t value) { return static_cast<std::uint8_t>(std::clamp(value, 0, 255)); });
   }
   return result;
 }

@@ -118,17 +118,16 @@ void check_results(const LayerTensors& tensors, const std::string& name, const s
 }
 
 // In the order of Convolution::weights.
-std::vector<std::int16_t> packed(const LayerTensors& tensors, const Convolution& layer) {
+std::vector<std::int8_t> packed(const LayerTensors& tensors, const Convolution& layer) {
   const std::size_t places = layer.kernel * layer.kernel;
   const std::size_t block = places * layer.inputs * kOutputBlock;
-  std::vector<std::int16_t> result(layer.outputs / kOutputBlock * block);
+  std::vector<std::int8_t> result(layer.outputs / kOutputBlock * block);
   for (std::size_t i = 0; i < tensors.weights.size(); ++i) {
     const std::size_t in = i % tensors.inputs, place = i / tensors.inputs % places;
     const std::size_t out = i / tensors.inputs / places;
     const std::size_t input = place * layer.inputs + in;
-    result[out / kOutputBlock * block + input / kInputPair * kInputPair * kOutputBlock +
-           out % kOutputBlock * kInputPair + input % kInputPair] =
-        static_cast<std::int16_t>(int{tensors.weights[i]});
+    result[out / kOutputBlock * block + input / kInputQuad * kInputQuad * kOutputBlock +
+           out % kOutputBlock * kInputQuad + input % kInputQuad] = tensors.weights[i];
   }
   return result;
 }
@@ -197,7 +196,7 @@ class NetReader {
     check_sums(tensors, name, file_.file());
     if (is_last) check_results(tensors, name, file_.file());
     // A layer reads what the one before writes, blocks of outputs and all.
-    const std::size_t inputs = net_.layers.empty() ? rounded_up(channels_, kInputPair)
+    const std::size_t inputs = net_.layers.empty() ? rounded_up(channels_, kInputQuad)
                                                    : rounded_up(channels_, kOutputBlock);
     channels_ = tensors.outputs;
     net_.layers.push_back(make_layer(std::move(tensors), stride, padding, side_, inputs));

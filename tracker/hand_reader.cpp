@@ -11,8 +11,7 @@ namespace graspdb {
 namespace {
 
 TrackerOptions tracker_options(const Database& database, const ReaderOptions& options) {
-  return options.tracker.value_or(
-      tuned_options(TemporalModel::kKde, descriptor_kind(database)));
+  return options.tracker.value_or(tuned_options(TemporalModel::kKde, descriptor_kind(database)));
 }
 
 }  // namespace
