@@ -21,8 +21,12 @@ Placement place(const Box& observed, const Intrinsics& camera, const BoxTangents
   // A flat picture enlarges what is off its axis: lengths by 1 / cos along and 1 / cos^2 away from
   // it.
   const double enlarged = std::pow(ray.z(), -1.5);
+  const Eigen::Vector3d palm_center = ray * (row_distance * enlarged / scale);
+  // By way of the optical axis, as a camera that looks at the box would be turned.
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  return {rotation_between(axis, ray).toRotationMatrix(), ray * (row_distance * enlarged / scale)};
+  const Eigen::Quaterniond turn =
+      rotation_between(axis, box_center) * rotation_between(offset + axis, axis);
+  return {turn.toRotationMatrix(), palm_center};
 }
 
 double log_stretch(const Box& observed, const Intrinsics& camera, const BoxTangents& row_box) {

@@ -11,8 +11,10 @@ namespace graspdb {
 
 // Where a row's hand must be so that it fills the observed box as it filled its own picture.
 struct Placement {
-  Eigen::Matrix3d camera_from_row_camera;  // turns the row's optical axis to the ray to the palm
-  Eigen::Vector3d palm_center;             // camera frame, metres
+  // Turns the ray through the middle of the row's box to that through the observed one's: the two
+  // hands look alike in their boxes, however far away they are.
+  Eigen::Matrix3d camera_from_row_camera;
+  Eigen::Vector3d palm_center;  // camera frame, metres
 };
 
 // `row_box` is the row's own box, seen from `row_distance` metres.

@@ -42,6 +42,15 @@ TEST(Placement, ABoxOffTheAxisTurnsTheRowByTheAngleOfItsRay) {
   EXPECT_GT(placed.palm_center.x(), 0);
 }
 
+TEST(Placement, ARowBesideItsAxisTurnsToTheMiddleOfTheBox) {
+  const BoxTangents aside{.x = 0.1F, .y = -0.1F, .width = 0.2F, .height = 0.4F};
+  for (const double half : {25.0, 50.0}) {  // however far away
+    const Placement placed = place(box_around(400.5, 100.5, half), kCamera, aside, 0.7);
+    const Eigen::Vector3d ray = placed.camera_from_row_camera * Eigen::Vector3d(0.2, 0.1, 1);
+    EXPECT_LT((ray.normalized() - kCamera.ray(400.5, 100.5).normalized()).norm(), 1e-6);
+  }
+}
+
 // A ball of 70 mm 0.7 m away: in the row it fills 0.1 x 0.1; off the axis the flat picture enlarges
 // it.
 TEST(Placement, ABallOffTheAxisIsAsFarAwayAsItIs) {
