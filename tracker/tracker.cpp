@@ -72,8 +72,9 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   std::vector<Candidate> candidates = look_up(neighbors, *box, seen.camera);
   if (candidates.empty()) return false;
   weigh(candidates);
-  answer(candidates, seen.camera, estimate);
-  remember(std::move(candidates));
+  const Candidate best = merged(candidates, estimate.descriptor);
+  answer(candidates, best, seen.camera, estimate);
+  remember(std::move(candidates), best);
   estimate.ms.temporal = watch.lap_ms();
   return true;
 }
@@ -131,29 +132,8 @@ std::vector<Tracker::Candidate> Tracker::look_up(const std::vector<Neighbor>& ne
   return candidates;
 }
 
-// The heaviest candidate with the mean pose of those near to it, by weight. So near, rotations are
-// averaged as rotation vectors from the heaviest.
-Tracker::Candidate Tracker::merged(const std::vector<Candidate>& candidates) const {
-  Candidate best = candidates.front();
-  double weight = 0;
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-  JointAngles angles = JointAngles::Zero();
-  for (const Candidate& candidate : candidates) {
-    const Eigen::Matrix3d best_from_candidate = best.rotation.transpose() * candidate.rotation;
-    const Eigen::Vector3d vector = vector_from_rotation(best_from_candidate);
-    if (vector.norm() > radians(options_.merge_deg)) continue;
-    weight += candidate.weight;
-    turn += candidate.weight * vector;
-    angles += candidate.weight * candidate.angles;
-  }
-  best.rotation *= rotation_from_vector(turn / weight);
-  best.angles = angles / weight;
-  return best;
-}
-
-void Tracker::answer(const std::vector<Candidate>& candidates, const Intrinsics& camera,
-                     Estimate& estimate) const {
-  const Candidate best = options_.merge_deg > 0 ? merged(candidates) : candidates.front();
+void Tracker::answer(const std::vector<Candidate>& candidates, const Candidate& best,
+                     const Intrinsics& camera, Estimate& estimate) const {
   const Skeleton& skeleton = database_.info().hands[database_.hand(best.row)].skeleton;
   estimate.row = best.row;
   estimate.grasp = database_.grasp(best.row);
@@ -174,9 +154,10 @@ void Tracker::answer(const std::vector<Candidate>& candidates, const Intrinsics&
     estimate.joints_px.col(i) = camera.project(estimate.joints.col(i));
 }
 
-void Tracker::remember(std::vector<Candidate> candidates) {
+void Tracker::remember(std::vector<Candidate> candidates, const Candidate& best) {
   const auto kept = std::min(candidates.size(), static_cast<std::size_t>(options_.kept));
   candidates.resize(kept);
+  if (options_.temporal == TemporalModel::kGaussian) candidates = {best};
   previous_ = std::move(candidates);
 }
 

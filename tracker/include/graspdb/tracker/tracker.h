@@ -47,9 +47,9 @@ struct TrackerOptions {
   double sigma_stretch = 0;  // of the logarithm of the box's aspect ratio over the row's, .01..100
   double sigma_pose = 0;     // of the pose vector around the previous answer, .01..100
   double bandwidth = 0;      // of the pose vector around each previous hypothesis, .01..100
-  double merge_deg = 0;      // hypotheses so near to the heaviest are averaged with it, 0..90; 0:
-                             // the answer is the heaviest alone
-  double max_distance = 0;   // a nearest descriptor further away is no hand, .01..1000
+  double merge_deg = 0;  // the answer lies between the hypotheses so near to the heaviest, 0..90;
+                         // 0: it is the heaviest alone
+  double max_distance = 0;  // a nearest descriptor further away is no hand, .01..1000
 };
 
 // What rows are searched by. Distances of the two have nothing in common.
@@ -117,7 +117,7 @@ struct Estimate {
   Mask hand;                   // HandReader's
   Box box;                     // of the mask, pixels; empty without one
   DescriptorBytes descriptor;  // of the mask's pixels; of a left hand in the mirror
-  // The answer: the heaviest hypothesis; its rotation and angles are means where some are merged.
+  // The answer: the heaviest hypothesis; its rotation and angles lie between where some are merged.
   std::uint32_t row = 0;
   double distance = 0;           // of the nearest descriptor
   int grasp = 0;                 // id, of the row
@@ -159,10 +159,10 @@ class Tracker {
   void check_row(std::uint32_t row) const;
   double log_prior(const PoseVector& pose) const;
   void weigh(std::vector<Candidate>& candidates) const;
-  Candidate merged(const std::vector<Candidate>& candidates) const;
-  void answer(const std::vector<Candidate>& candidates, const Intrinsics& camera,
-              Estimate& estimate) const;
-  void remember(std::vector<Candidate> candidates);
+  Candidate merged(const std::vector<Candidate>& candidates, DescriptorView query) const;
+  void answer(const std::vector<Candidate>& candidates, const Candidate& best,
+              const Intrinsics& camera, Estimate& estimate) const;
+  void remember(std::vector<Candidate> candidates, const Candidate& best);
 
   const Database& database_;
   const Search& search_;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Answers between the rows.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "graspdb/hand/angles.h"
+
+namespace graspdb {
+
+// Of rows that are merged, a line each.
+using PoseLine = Eigen::Matrix<float, 1, 3 + kAngleCount>;  // rotation vector, angles
+using PoseLines = Eigen::Matrix<float, Eigen::Dynamic, PoseLine::ColsAtCompileTime>;
+using CodeLines = Eigen::MatrixXf;  // less what was seen
+using LineWeights = Eigen::VectorXf;
+
+// Linear regression weighted by nearness (Cleveland 1979): the pose where the code is 0. It never
+// leaves what the lines span. Weights are not negative and sum to 1.
+PoseLine fitted_pose(const PoseLines& poses, const CodeLines& codes, const LineWeights& weights);
+
+}  // namespace graspdb
