@@ -134,10 +134,7 @@ class RowOptions {
         ->transform(named<RowRenderer>(
             {{"raster", RowRenderer::kRaster}, {"embree", RowRenderer::kEmbree}}))
         ->default_str("raster");
-    const CLI::Option* descriptor =
-        add("--descriptor", &BuildConfig::descriptor,
-            "A file of weights: rows have the codes of this learned descriptor, too");
-    forget(descriptor, &BuildConfig::descriptor_hash);
+    add_descriptor();
     add_forearm();
     add_hog();
     add_jitters();
@@ -184,6 +181,16 @@ class RowOptions {
   void forget(const CLI::Option* option, T BuildConfig::*hashes) {
     options_.override.emplace_back([option, hashes](BuildConfig& config) {
       if (option->count() > 0) (config.*hashes).clear();
+    });
+  }
+
+  void add_descriptor() {
+    const CLI::Option* option =
+        add("--descriptor", &BuildConfig::descriptor,
+            "A file of weights: rows have the codes of this learned descriptor, too; or none");
+    forget(option, &BuildConfig::descriptor_hash);
+    options_.override.emplace_back([](BuildConfig& config) {
+      if (config.descriptor == "none") config.descriptor.clear();
     });
   }
 

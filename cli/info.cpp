@@ -32,6 +32,13 @@ void print_card(const nlohmann::json& card) {
   }
 }
 
+// Null where rows have HOGs alone.
+nlohmann::json descriptor_json(const DatabaseInfo& info) {
+  if (info.embedding_bytes == 0) return nullptr;
+  return {
+      {"name", info.descriptor}, {"bytes", info.embedding_bytes}, {"weights_hash", info.weights}};
+}
+
 nlohmann::json to_json(const Database& database) {
   const DatabaseInfo& info = database.info();
   nlohmann::json grasps = nlohmann::json::array();
@@ -47,6 +54,7 @@ nlohmann::json to_json(const Database& database) {
           {"views", info.views},
           {"view_rule", info.view_rule},
           {"hog", info.hog},
+          {"descriptor", descriptor_json(info)},
           {"config", told(database, info.config, "config")},
           {"tool", info.tool},
           {"data_card", card_of(database)},
@@ -64,8 +72,13 @@ void print(const Database& database) {
   for (const std::string& variant : info.variants) fmt::print("variant  {}\n", variant);
   for (const GraspEntry& grasp : info.grasps)
     fmt::print("grasp    {:3} {}\n", grasp.id, grasp.name);
-  fmt::print("views    {}\nhog      {}\nconfig   {}\ntool     {}\ncontent  {}\n", info.view_rule,
-             info.hog, info.config, info.tool, database.content_hash());
+  fmt::print("views    {}\nhog      {}\n", info.view_rule, info.hog);
+  if (info.embedding_bytes > 0) {
+    fmt::print("learned  {}, {} bytes, weights {}\n", info.descriptor, info.embedding_bytes,
+               info.weights);
+  }
+  fmt::print("config   {}\ntool     {}\ncontent  {}\n", info.config, info.tool,
+             database.content_hash());
   print_card(card_of(database));
 }
 

@@ -59,7 +59,11 @@ void tell_what_is_lacking(const Database& database) {
                "the database has one length of forearm: hands with sleeves or long arms are read "
                "badly\n");
   }
-  if (!has_free || !has_forearms)
+  if (!database.has_embeddings()) {
+    fmt::print(stderr,
+               "the database has no codes of a learned descriptor: all hands are read badly\n");
+  }
+  if (!has_free || !has_forearms || !database.has_embeddings())
     fmt::print(stderr, "`graspdb build --preset tracking` makes one for tracking\n");
 }
 

@@ -11,6 +11,8 @@ install(FILES ${PROJECT_BINARY_DIR}/graspdbConfig.cmake ${PROJECT_BINARY_DIR}/gr
         DESTINATION ${package_dir} COMPONENT development)
 install(EXPORT graspdb-runtime NAMESPACE graspdb:: DESTINATION ${package_dir} COMPONENT development)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+# Also without the program: HandReader describes with them what it sees.
+install(DIRECTORY assets/descriptors DESTINATION ${GRASPDB_DATA_DIR}/assets COMPONENT program)
 if(GRASPDB_RUNTIME_ONLY)
   return()
 endif()

@@ -13,6 +13,7 @@
 namespace graspdb {
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -63,6 +64,27 @@ TEST(DatabaseVerbs, ADatabaseIsBuiltDescribedVerifiedIndexedAndSearched) {
   expect_refused(run_program("verify " + file), file);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   expect_refused(run_program("info " + file), file);
+}
+
+// With the project's own weights.
+TEST(DatabaseVerbs, RowsHaveCodesWhereADescriptorIsAskedFor) {
+  const testing::TemporaryDirectory directory;
+  const std::string file = (directory / "learned.graspdb").string();
+  const std::string build = "build --only 9 --steps 1 --views 24 --resolution 32 --out ";
+  const std::string weights =
+      " --descriptor " + (data_directory() / "assets/descriptors/hand.safetensors").string();
+  const Outcome built = run_program(build + file + weights);
+  ASSERT_EQ(built.code, 0) << built.err;
+  EXPECT_EQ(run_program("verify " + file).code, 0);
+  EXPECT_THAT(run_program("info " + file).out, HasSubstr("learned  hand, "));
+  const json info = json::parse(run_program("info --json " + file).out);
+  EXPECT_EQ(info.at("descriptor").at("name"), "hand");
+
+  // As the file says itself, but for the codes.
+  const std::string plain = (directory / "plain.graspdb").string();
+  ASSERT_EQ(run_program("build --config " + file + " --descriptor none --out " + plain).code, 0);
+  EXPECT_EQ(json::parse(run_program("info --json " + plain).out).at("descriptor"), json());
+  EXPECT_LT(fs::file_size(plain), fs::file_size(file));
 }
 
 TEST(DatabaseVerbs, AConfigurationThatIsNoJsonIsRefusedWithTheFile) {

@@ -115,6 +115,7 @@ TEST_F(Track, WritesALineAFrameAndAVideo) {
   // The tiny database holds its object in every row, and has one forearm: told once.
   EXPECT_THAT(outcome.err, HasSubstr("no hands without objects"));
   EXPECT_THAT(outcome.err, HasSubstr("one length of forearm"));
+  EXPECT_THAT(outcome.err, HasSubstr("no codes of a learned descriptor"));
   EXPECT_EQ(outcome.err.find("--preset tracking"), outcome.err.rfind("--preset tracking"));
   const std::vector<json> lines = json_lines(directory_ / "new/answer.jsonl");
   ASSERT_THAT(lines, SizeIs(3));

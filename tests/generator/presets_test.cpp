@@ -22,9 +22,10 @@ TEST(Presets, PaperIsWhatABuildMakesWhenNothingIsAsked) {
   EXPECT_EQ(config_to_json(load_config(preset_file("paper"))), config_to_json(paper()));
 }
 
-TEST(Presets, TrackingAddsEmptyHandsAndForearmsOfEveryLength) {
+TEST(Presets, TrackingAddsCodesEmptyHandsAndForearmsOfEveryLength) {
   BuildConfig config = paper();
   config.objects = Objects::kBoth;
+  config.descriptor = data_directory() / "assets/descriptors/hand.safetensors";
   config.jitter = {.visible_forearm_mm = 185, .copies = 2};
   EXPECT_EQ(config_to_json(load_config(preset_file("tracking"))), config_to_json(config));
 }

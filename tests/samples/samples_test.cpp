@@ -5,12 +5,15 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "crop_frame.h"
 #include "graspdb/core/file.h"
 #include "graspdb/core/hash.h"
 #include "graspdb/core/json/safetensors.h"
+#include "graspdb/grasps/closing.h"
+#include "graspdb/grasps/grasp.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -102,11 +105,39 @@ TEST(SampleMaker, GraspsThatAreLeftOutAreNeverDrawn) {
   EXPECT_EQ(maker.assets().size(), 1u + 2u);  // hands, grasps
 }
 
-TEST(SampleMaker, KnowsNothingOfTheSequences) {
-  std::set<std::string> sequences;
+// Of all files that evaluation sequences are made of, and of their grasps with their objects.
+std::set<std::string> sequence_hashes() {
+  std::set<std::string> hashes;
   for (const auto& entry : fs::recursive_directory_iterator(data_directory() / "sequences")) {
-    if (entry.is_regular_file()) sequences.insert(hash_hex(read_text(entry.path())));
+    if (!entry.is_regular_file()) continue;
+    hashes.insert(hash_hex(read_text(entry.path())));
+    if (entry.path().string().ends_with(".grasp.toml")) {
+      hashes.insert(grasp_hash(load_grasp(entry.path())));
+    }
   }
+  return hashes;
+}
+
+// All weights that come with the project.
+TEST(Weights, HaveSeenNothingOfTheSequences) {
+  const std::set<std::string> sequences = sequence_hashes();
+  ASSERT_GT(sequences.size(), 80u);
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(data_directory() / "assets/descriptors")) {
+    const Safetensors weights = Safetensors::load(entry.path(), std::size_t{1} << 20);
+    EXPECT_EQ(weights.metadata("licence"), "MIT");
+    const auto assets = nlohmann::json::parse(weights.metadata("assets"));
+    EXPECT_GE(assets.size(), 4u + 33u) << entry.path();
+    for (const auto& asset : assets) {
+      EXPECT_FALSE(sequences.contains(asset.at("hash").get<std::string>())) << asset;
+    }
+    ++files;
+  }
+  EXPECT_GT(files, 0);
+}
+
+TEST(SampleMaker, KnowsNothingOfTheSequences) {
+  const std::set<std::string> sequences = sequence_hashes();
   ASSERT_GT(sequences.size(), 80u);
   const SampleMaker maker({});
   EXPECT_EQ(maker.assets().size(), 4u + 33u);
