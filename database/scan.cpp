@@ -35,9 +35,7 @@ class ScanSearch : public Search {
  public:
   ScanSearch(const Database& database, const ScanOptions& options)
       : rows_(database.descriptors()), options_(options) {
-    check_options(options);
     if (rows_.rows() == 0) return;
-    options_.dimensions = std::min(options.dimensions, static_cast<int>(rows_.size));
     pca_ = fit_pca(rows_, options_.dimensions, kSample);
     // One unit for all directions, so that distances between codes follow those between
     // descriptors; what lies beyond four standard deviations is cut off.
@@ -98,6 +96,9 @@ class ScanSearch : public Search {
 }  // namespace
 
 std::unique_ptr<Search> make_scan_search(const Database& database, const ScanOptions& options) {
+  check_options(options);
+  const bool saves = static_cast<std::size_t>(options.dimensions) < database.descriptors().size;
+  if (!saves) return make_exact_search(database);
   return std::make_unique<ScanSearch>(database, options);
 }
 

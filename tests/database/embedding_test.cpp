@@ -66,7 +66,8 @@ TEST_P(Embeddings, AreWhatIsSearched) {
   all.resize(20);
   EXPECT_EQ(make_exact_search(database)->nearest(query, 20), all);
   // Of random codes nothing is near: only what looks at all rows finds the same.
-  EXPECT_EQ(make_scan_search(database, {.rerank = 2999})->nearest(query, 20), all);
+  EXPECT_EQ(make_scan_search(database, {.dimensions = 32, .rerank = 2999})->nearest(query, 20),
+            all);
   EXPECT_EQ(make_lsh_search(database)->nearest(query, 20).size(), 20u);
   for (const std::string& name : search_names()) {
     EXPECT_EQ(open_search(database, name)->nearest(rows[77].embedding, 1).at(0), (Neighbor{77, 0}))
