@@ -17,15 +17,26 @@ std::vector<std::string> temporal_names() {
 
 // One value for all models, or each model's own: "20", "none 20, gaussian 20, ...".
 template <typename Value>
-std::string tuned_default(Value TrackerOptions::*member) {
-  std::string all, first = fmt::format("{:g}", double(tuned_options(kTemporalModels[0]).*member));
+std::string tuned_default(Value TrackerOptions::*member, DescriptorKind kind) {
+  const auto text_of = [&](TemporalModel model) {
+    return fmt::format("{:g}", double(tuned_options(model, kind).*member));
+  };
+  const std::string first = text_of(kTemporalModels[0]);
+  std::string all;
   bool same = true;
   for (const TemporalModel model : kTemporalModels) {
-    const std::string value = fmt::format("{:g}", double(tuned_options(model).*member));
-    same = same && value == first;
-    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", temporal_name(model), value);
+    same = same && text_of(model) == first;
+    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", temporal_name(model), text_of(model));
   }
   return same ? first : all;
+}
+
+// Of rows with codes, and of those with HOGs alone.
+template <typename Value>
+std::string tuned_default(Value TrackerOptions::*member) {
+  const std::string codes = tuned_default(member, DescriptorKind::kLearned);
+  const std::string hogs = tuned_default(member, DescriptorKind::kHog);
+  return codes == hogs ? codes : fmt::format("{}; HOGs: {}", codes, hogs);
 }
 
 // An int is read as one: 20.5 neighbours are refused.

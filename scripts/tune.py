@@ -40,7 +40,8 @@ START_OF_CODES = {**START, "neighbours": 400, "kept": 100, "sigma_hog": 0.2, "si
                   "sigma_pose": 0.7, "bandwidth": 0.7, "merge_deg": 50}  # learned descriptors
 ROUNDS = 5
 MEMBER = {"neighbours": "neighbors"}  # where C++ spells it otherwise
-MAX_DISTANCE = 5.0  # not chosen: it tells what is no hand
+# Not chosen: it tells what is no hand. No frame of the training sequences is further away.
+MAX_DISTANCE = {"tuned_for_hogs": 5.0, "tuned_for_codes": 0.65}
 HEADER = """// SPDX-License-Identifier: MIT
 // Written by scripts/tune.py.
 #include "graspdb/core/error.h"
@@ -127,20 +128,20 @@ def least(model, trials, known):
     return min(of_model, key=lambda trial: error(known, trial))
 
 
-def statement(trial):
-    """The return statement of tuned_options(). What the model does not read is as at the start."""
+def statement(trial, max_distance):
+    """The return statement. What the model does not read is as at the start."""
     begin = "      return {"
     values = {option: trial.get(option, START[option]) for option in PLACES}
     fields = [".temporal = temporal"]
     fields += [f".{MEMBER.get(option, option)} = {value}" for option, value in values.items()]
-    fields.append(f".max_distance = {MAX_DISTANCE}")
+    fields.append(f".max_distance = {max_distance}")
     return begin + (",\n" + len(begin) * " ").join(fields) + "};\n"
 
 
 def source(best, function):
     """The text of tracker/tuned_for_hogs.cpp or tuned_for_codes.cpp, whose name is the function's."""
     return HEADER.replace("FUNCTION", function) + "".join(
-        f"    case TemporalModel::k{model.capitalize()}:\n" + statement(trial)
+        f"    case TemporalModel::k{model.capitalize()}:\n" + statement(trial, MAX_DISTANCE[function])
         for model, trial in best.items()) + FOOTER
 
 

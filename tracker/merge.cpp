@@ -2,6 +2,7 @@
 #include "merge.h"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 #include "candidate.h"
 #include "graspdb/core/transform.h"
@@ -11,6 +12,16 @@ namespace {
 
 // CodeLines that differ by less a byte say little of the pose.
 constexpr float kCodeRidge = 14;
+
+// Such that the mean of two places looks half way between them.
+Eigen::RowVector3d place_of(const Eigen::Vector3d& palm_center) {
+  const double z = palm_center.z();
+  return {palm_center.x() / z, palm_center.y() / z, std::log(z)};
+}
+
+Eigen::Vector3d palm_center_at(const Eigen::RowVector3d& place) {
+  return Eigen::Vector3d(place.x(), place.y(), 1) * std::exp(place.z());
+}
 
 // The codes of rows less what was seen.
 CodeLines differences(const std::vector<std::uint32_t>& rows, const DescriptorTable& table,
@@ -57,7 +68,9 @@ Tracker::Candidate Tracker::merged(const std::vector<Candidate>& candidates,
     const Eigen::Vector3d turn = vector_from_rotation(best_from_row);
     if (turn.norm() > radians(options_.merge_deg)) continue;
     const auto line = static_cast<Eigen::Index>(rows.size());
-    poses.row(line) << turn.transpose().cast<float>(), candidate.angles.transpose().cast<float>();
+    poses.row(line) << turn.transpose().cast<float>(),
+        place_of(candidate.placement.palm_center).cast<float>(),
+        candidate.angles.transpose().cast<float>();
     weights[line] = static_cast<float>(candidate.weight);
     rows.push_back(candidate.row);
   }
@@ -70,6 +83,7 @@ Tracker::Candidate Tracker::merged(const std::vector<Candidate>& candidates,
           ? fitted_pose(poses, differences(rows, database_.descriptors(), query), weights)
           : PoseLine(weights.transpose() * poses);
   best.rotation *= rotation_from_vector(pose.head<3>().transpose().cast<double>());
+  best.placement.palm_center = palm_center_at(pose.segment<3>(3).cast<double>());
   best.angles = pose.tail<kAngleCount>().transpose().cast<double>();
   best.pose = pose_vector(best.rotation, best.angles);
   return best;

@@ -16,7 +16,7 @@ TrackerOptions tuned_for_codes(TemporalModel temporal) {
               .sigma_pose = 0.35,
               .bandwidth = 0.35,
               .merge_deg = 60,
-              .max_distance = 5.0};
+              .max_distance = 0.65};
     case TemporalModel::kGaussian:
       return {.temporal = temporal,
               .neighbors = 400,
@@ -26,7 +26,7 @@ TrackerOptions tuned_for_codes(TemporalModel temporal) {
               .sigma_pose = 0.5,
               .bandwidth = 0.35,
               .merge_deg = 60,
-              .max_distance = 5.0};
+              .max_distance = 0.65};
     case TemporalModel::kKde:
       return {.temporal = temporal,
               .neighbors = 400,
@@ -36,7 +36,7 @@ TrackerOptions tuned_for_codes(TemporalModel temporal) {
               .sigma_pose = 0.35,
               .bandwidth = 0.5,
               .merge_deg = 60,
-              .max_distance = 5.0};
+              .max_distance = 0.65};
     case TemporalModel::kSuccessors:
       return {.temporal = temporal,
               .neighbors = 200,
@@ -46,7 +46,7 @@ TrackerOptions tuned_for_codes(TemporalModel temporal) {
               .sigma_pose = 0.35,
               .bandwidth = 0.7,
               .merge_deg = 60,
-              .max_distance = 5.0};
+              .max_distance = 0.65};
   }
   GRASPDB_CHECK(false);
 }

@@ -86,7 +86,9 @@ TEST(SampleMaker, JointsLieWhereTheMaskIs) {
       const Eigen::Vector2d at = (sample.joints.col(joint).head<2>() - (low + high) / 2) * scale;
       const int x = std::clamp(static_cast<int>(32 + at.x()), 0, kCropSide - 1);
       const int y = std::clamp(static_cast<int>(32 + at.y()), 0, kCropSide - 1);
-      inside += sample.crop.mask[static_cast<std::size_t>(y * kCropSide + x)] > 127;
+      inside +=
+          sample.crop.mask[static_cast<std::size_t>(y) * kCropSide + static_cast<std::size_t>(x)] >
+          127;
       ++all;
     }
   }

@@ -51,7 +51,7 @@ class Tune(unittest.TestCase):
         self.assertEqual(best, {"none": trial})
 
     def test_what_a_model_does_not_read_is_as_at_the_start(self):
-        text = tune.source({"none": {**start("none"), "sigma_hog": 2.8}, "kde": start("kde")}, "tuned")
+        text = tune.source({"none": {**start("none"), "sigma_hog": 2.8}, "kde": start("kde")}, "tuned_for_hogs")
         none, kde = text.split("kKde")
         self.assertIn("case TemporalModel::kNone:", none)
         self.assertIn(".sigma_hog = 2.8", none)
