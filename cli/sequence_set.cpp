@@ -35,20 +35,13 @@ std::vector<SequenceSpec> load_all(const SequenceSetOptions& options) {
   return specs;
 }
 
-std::vector<SequenceSpec> with_frames(std::vector<SequenceSpec> specs,
-                                      const std::filesystem::path& folder) {
-  std::erase_if(specs, [&](const auto& spec) { return !has_photoreal_frames(spec, folder); });
-  if (!specs.empty()) return specs;
-  throw Error({.file = folder.string(),
-               .expected = "a folder of frames with the name of a sequence",
-               .found = "none"});
-}
-
 }  // namespace
 
 SequenceSet::SequenceSet(SequenceSetOptions options)
     : options_(std::move(options)), specs_(load_all(options_)) {
-  if (!options_.photoreal.empty()) specs_ = with_frames(std::move(specs_), options_.photoreal);
+  if (!options_.photoreal.empty()) {
+    specs_ = with_photoreal_frames(std::move(specs_), options_.photoreal);
+  }
 }
 
 std::optional<SequenceRenderer> SequenceSet::leave_out(const std::string& name,

@@ -1,5 +1,6 @@
 # `cmake --install` puts the libraries, their headers and a CMake package below the prefix, and
-# unless GRASPDB_RUNTIME_ONLY the program (cli/CMakeLists.txt) and the data.
+# unless GRASPDB_RUNTIME_ONLY the program (cli/CMakeLists.txt) and all data but the weights, which
+# come along always.
 include(CMakePackageConfigHelpers)
 set(GRASPDB_DATA_DIR ${CMAKE_INSTALL_DATADIR}/graspdb)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/graspdb)

@@ -123,8 +123,10 @@ void run_everything(const Stage& stage, const Search& search, const Progress& pr
 }  // namespace
 
 SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, const Search& search,
-                            const SequenceFrames& frames, const EvalOptions& options,
+                            const SequenceFrames& frames, const EvalOptions& given,
                             const Progress& progress) {
+  EvalOptions options = given;
+  if (options.trackers.empty()) options.trackers = all_trackers(descriptor_kind(database));
   SequenceEvaluation result{.name = frames.name,
                             .kind = frames.kind,
                             .grasp_type = frames.grasp_type,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rows of a database whose pictures look most like that of one row:
 //   01_nearest hands.graspdb ROW [COUNT]
-#include <algorithm>
 #include <iostream>
 #include <string>
 
@@ -14,9 +13,8 @@ int main(int argc, char** argv) try {
   const std::size_t row = std::stoul(argv[2]);
   if (row >= database.rows()) throw std::runtime_error("the database has no such row");
 
-  // Of a picture and its mask, graspdb::describe() makes such a descriptor.
-  graspdb::Descriptor descriptor;
-  std::ranges::copy(database.hog(row), descriptor.begin());
+  // Of a picture and its mask, graspdb::Describer (tracker) makes such a descriptor.
+  const graspdb::DescriptorView descriptor = database.descriptors().row(row);
 
   const auto search = graspdb::open_search(database, graspdb::kDefaultSearch);
   const int count = argc > 3 ? std::stoi(argv[3]) : 10;

@@ -21,7 +21,8 @@ namespace graspdb {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-#if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
+// Elsewhere ReorderWidenMulAccumulate spreads its sums over two results.
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128 || !HWY_ARCH_X86
 
 void ConvolveRow(const Convolution& layer, std::span<const std::uint8_t> picture, std::size_t y,
                  std::span<std::int32_t> row) {

@@ -31,12 +31,8 @@ std::optional<Sample> frame_sample(const SequenceFrames& frames, std::size_t fra
 
 std::vector<SequenceSpec> specs_of(const fs::path& folder, const fs::path& photoreal) {
   std::vector<SequenceSpec> specs;
-  for (const fs::path& file : sequence_files(folder)) {
-    SequenceSpec spec = load_sequence(file);
-    if (photoreal.empty() || has_photoreal_frames(spec, photoreal))
-      specs.push_back(std::move(spec));
-  }
-  return specs;
+  for (const fs::path& file : sequence_files(folder)) specs.push_back(load_sequence(file));
+  return photoreal.empty() ? specs : with_photoreal_frames(std::move(specs), photoreal);
 }
 
 SequenceFrames frames_of(const SequenceRenderer& renderer, const fs::path& photoreal) {

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Chooses the tracker's options on the training sequences and writes them where it finds them.
 
-    scripts/tune.py DB [--graspdb build/release/cli/graspdb] [--write tracker/tuned_for_hogs.cpp]
+    scripts/tune.py DB [--codes] [--graspdb build/release/cli/graspdb] [--write]
 
 For each temporal model by itself: every option is moved one place up and down its list, and all
 those moves that help are made at once, or where that was tried before the best one; again, until
@@ -38,6 +38,7 @@ START = {"neighbours": 50, "kept": 20, "sigma_hog": 1.0, "sigma_stretch": 0.2, "
          "bandwidth": 0.35, "merge_deg": 0}
 START_OF_CODES = {**START, "neighbours": 400, "kept": 100, "sigma_hog": 0.2, "sigma_stretch": 0.5,
                   "sigma_pose": 0.7, "bandwidth": 0.7, "merge_deg": 50}  # learned descriptors
+TRACKER = pathlib.Path(__file__).resolve().parents[1] / "tracker"
 ROUNDS = 5
 MEMBER = {"neighbours": "neighbors"}  # where C++ spells it otherwise
 # Not chosen: it tells what is no hand. No frame of the training sequences is further away.
@@ -129,7 +130,7 @@ def least(model, trials, known):
 
 
 def statement(trial, max_distance):
-    """The return statement. What the model does not read is as at the start."""
+    """The return statement. What the model does not read is as in START."""
     begin = "      return {"
     values = {option: trial.get(option, START[option]) for option in PLACES}
     fields = [".temporal = temporal"]
@@ -163,7 +164,8 @@ def main():
     parser.add_argument("--sequences", default="sequences/train")
     parser.add_argument("--codes", action="store_true", help="DB has the codes of a learned descriptor")
     parser.add_argument("--log", type=pathlib.Path, help="a JSON line for every trial")
-    parser.add_argument("--write", type=pathlib.Path, help="tracker/tuned_for_hogs.cpp or tuned_for_codes.cpp")
+    parser.add_argument("--write", action="store_true",
+                        help="tracker/tuned_for_hogs.cpp, or tuned_for_codes.cpp with --codes")
     arguments = parser.parse_args()
     log = arguments.log.open("w") if arguments.log else None
 
@@ -180,7 +182,8 @@ def main():
     best, measured = descend(measure, start)
     print(table(best, measured))
     if arguments.write:
-        arguments.write.write_text(source(best, arguments.write.stem))
+        function = "tuned_for_codes" if arguments.codes else "tuned_for_hogs"
+        (TRACKER / f"{function}.cpp").write_text(source(best, function))
 
 
 if __name__ == "__main__":

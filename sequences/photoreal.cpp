@@ -47,6 +47,15 @@ bool has_photoreal_frames(const SequenceSpec& spec, const fs::path& folder) {
                fmt::format("{}", found)});
 }
 
+std::vector<SequenceSpec> with_photoreal_frames(std::vector<SequenceSpec> specs,
+                                                const fs::path& folder) {
+  std::erase_if(specs, [&](const auto& spec) { return !has_photoreal_frames(spec, folder); });
+  if (!specs.empty()) return specs;
+  throw Error({.file = folder.string(),
+               .expected = "a folder of frames with the name of a sequence",
+               .found = "none"});
+}
+
 SequenceFrames photoreal_frames(const SequenceRenderer& sequence, const fs::path& folder,
                                 FrameKind kind) {
   GRASPDB_CHECK(kind != FrameKind::kRendered);

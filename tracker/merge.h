@@ -8,8 +8,8 @@
 
 namespace graspdb {
 
-// Of rows that are merged, a line each.
-// Rotation vector, place (x / z, y / z, log z of the palm), angles.
+// Of rows that are merged, a line each. A pose: rotation vector, place (x / z, y / z, log z of the
+// palm), angles.
 using PoseLine = Eigen::Matrix<float, 1, 3 + 3 + kAngleCount>;
 using PoseLines = Eigen::Matrix<float, Eigen::Dynamic, PoseLine::ColsAtCompileTime>;
 using CodeLines = Eigen::MatrixXf;  // less what was seen

@@ -71,7 +71,7 @@ TEST_F(Bench, EveryStageHasItsPercentilesAndTheyAddUp) {
 }
 
 TEST_F(Bench, FramesAreReadWithTheDefaultsOfTrack) {
-  const TrackerOptions tuned = tuned_options(TemporalModel::kKde);
+  const TrackerOptions tuned = tuned_options(TemporalModel::kKde, DescriptorKind::kHog);
   const json bench = tracker("--frames 2 --video " + path("small"));
   for (const json& one : bench.at("trackers")) {
     EXPECT_EQ(one.at("temporal"), "kde");

@@ -234,6 +234,11 @@ TEST_F(Eval, SamplesOfPhotorealFramesAreOfTheSequencesThatHaveThem) {
                                       path("photos") + " --out " + path("photos.safetensors"));
   ASSERT_EQ(samples.code, 0) << samples.err;
   EXPECT_THAT(samples.out, HasSubstr("frames of 1 sequences"));
+  const Outcome none = run_program("samples --sequences " + path("set") + " --photoreal " +
+                                   path("set") + " --out " + path("none.safetensors"));
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.err, HasSubstr("name of a sequence"));
+  EXPECT_FALSE(fs::exists(path("none.safetensors")));
 }
 
 TEST_F(Eval, AFolderWithTooFewPhotorealFramesIsRefusedBeforeAnythingIsRun) {

@@ -31,7 +31,7 @@ TEST(EndToEnd, ARowSeenOffTheAxisIsFoundWithItsPoseAndPlace) {
   build_database(config, {.out = directory / "small.graspdb"});
   const Database database = Database::open(directory / "small.graspdb");
   const auto search = make_exact_search(database);
-  Tracker tracker(database, *search, tuned_options(TemporalModel::kNone));
+  Tracker tracker(database, *search, tuned_options(TemporalModel::kNone, DescriptorKind::kHog));
 
   const Hand hand = with_visible_forearm(load_hand(config.hands.front()), config.visible_forearm);
   const Grasp grasp = load_grasp(config.grasps / "14_tripod.toml");

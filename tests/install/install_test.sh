@@ -31,10 +31,10 @@ graspdb() { "$prefix/bin/graspdb" "$@"; }
 
 echo "== the data are those of the sources, and nothing else"
 quietly cmake --install "$build" --prefix "$prefix"
-data() { find "$@" -type f \( -name '*.toml' -o -name '*.obj' -o -name '*.glb' \) ! -name 'webxr_*.glb' | sort; }
-diff <(cd "$source" && data assets/hands assets/objects assets/presets grasps sequences/train sequences/test) \
+data() { find "$@" -type f \( -name '*.toml' -o -name '*.obj' -o -name '*.glb' -o -name '*.safetensors' \) ! -name 'webxr_*.glb' | sort; }
+diff <(cd "$source" && data assets/descriptors assets/hands assets/objects assets/presets grasps sequences/train sequences/test) \
     <(cd "$share" && data assets grasps sequences) || fail "the installed data are others than the sources'"
-strangers=$(find "$share" -type f ! -name '*.toml' ! -name '*.obj' ! -name '*.glb' ! -name README.md \
+strangers=$(find "$share" -type f ! -name '*.toml' ! -name '*.obj' ! -name '*.glb' ! -name '*.safetensors' ! -name README.md \
     -o -name 'webxr_*.glb' -o -type d -empty)
 [ -z "$strangers" ] || fail "installed, and no data: $strangers"
 
@@ -45,6 +45,8 @@ says ': 2000 rows, 2000 of them rendered' graspdb build --only 9,27 --views 200 
 says '^mug: 13 frames' graspdb sequence "$share/sequences/test/mug.seq.toml" --fps 1 --out mug
 says '^13 frames, [1-9][0-9]* with a hand' graspdb track hands.graspdb mug --json poses.jsonl
 [ "$(grep -c '"valid":true' poses.jsonl)" -gt 0 ] || fail "no pose in poses.jsonl"
+says ': 2000 rows, 2000 of them rendered' graspdb build --only 9,27 --views 200 --out codes.graspdb \
+    --descriptor "$share/assets/descriptors/hand.safetensors"
 says '^kde alpha 0 % +[0-9]' graspdb eval hands.graspdb --sequences "$share/sequences/test/mug.seq.toml" --fps 1 --alphas 0
 
 echo "== the examples; the tracker links without what only a renderer needs"
@@ -57,7 +59,9 @@ quietly cmake --build built
 configure examples built "${without[@]/%/=OFF}"
 quietly cmake --build built
 says '^row 7: grasp [0-9]+, view 7, squared distance 0$' built/01_nearest hands.graspdb 7 3
+says '^row 7: grasp [0-9]+, view 7, squared distance 0$' built/01_nearest codes.graspdb 7 3
 says 'grasp (9|27), confidence' built/02_track hands.graspdb mug/frames/*.png
+says 'grasp (9|27), confidence' built/02_track codes.graspdb mug/frames/*.png
 says 'index fingertip at pixel' built/03_render pinch
 [ -s pinch/view.json ] || fail "03_render wrote no view.json"
 

@@ -182,7 +182,7 @@ TEST_F(BarTracker, JointsProjectWhereTheySay) {
 TEST_F(BarTracker, OptionsOutOfRangeAreRefusedByName) {
   for (const TrackerNumber& number : kTrackerNumbers) {
     for (const double value : {number.low - 1, number.high + 1, std::nan("")}) {
-      TrackerOptions options = tuned_options(TemporalModel::kKde);
+      TrackerOptions options = tuned_options(TemporalModel::kKde, DescriptorKind::kHog);
       if (std::isnan(value) && std::holds_alternative<int TrackerOptions::*>(number.member))
         continue;
       set_number(options, number, value);

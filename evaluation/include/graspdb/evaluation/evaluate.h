@@ -19,10 +19,10 @@
 namespace graspdb {
 
 // Each temporal model once, with the options that were chosen for it.
-std::vector<TrackerOptions> all_trackers(DescriptorKind kind = DescriptorKind::kHog);
+std::vector<TrackerOptions> all_trackers(DescriptorKind kind);
 
 struct EvalOptions {
-  std::vector<TrackerOptions> trackers = all_trackers();
+  std::vector<TrackerOptions> trackers;  // none: all_trackers() for the database's rows
   std::vector<double> alphas = {0, 0.25, 0.5, 1, 2, 4};  // percent
   std::uint64_t seed = 0;
 };

@@ -29,8 +29,8 @@ class PoseGrid {
   std::size_t pose_of(std::uint32_t row) const { return pose_of_block_[row / views_.size()]; }
   std::size_t rows() const { return views_.size() * pose_of_block_.size(); }
 
-  // What a tracker would answer with this pose and view if it knew where the true palm is: the
-  // view turned from the camera's axis to the ray to the palm centre, the palm centre there.
+  // This pose and view where the true palm is: the view turned from the camera's axis to the ray
+  // to the palm centre, the palm centre there.
   Pose seen(std::size_t pose, std::size_t view, const Pose& truth) const;
 
  private:

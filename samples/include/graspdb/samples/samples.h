@@ -62,7 +62,7 @@ class SampleMaker {
 
 // The frames of evaluation sequences (*.seq.toml) of a folder as samples, with their true masks, in
 // the order of their names. With a folder of photoreal frames (graspdb/sequences/photoreal.h): of
-// the sequences that have such frames, these.
+// the sequences that have such frames, these; throws Error when none has any.
 struct SequenceSamples {
   std::vector<std::string> names;  // of sequences
   std::vector<Sample> samples;     // frames that show no hand are left out

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "graspdb/sequences/frames.h"
 
@@ -12,6 +13,10 @@ namespace graspdb {
 // Whether `folder` has a subfolder of the sequence's name. Throws Error when the pictures in it
 // (000000.jpg, 000001.jpg ...) are not as many as the sequence has frames.
 bool has_photoreal_frames(const SequenceSpec& spec, const std::filesystem::path& folder);
+
+// Those that have a subfolder. Throws Error when none has one, and as above.
+std::vector<SequenceSpec> with_photoreal_frames(std::vector<SequenceSpec> specs,
+                                                const std::filesystem::path& folder);
 
 // kPhotoreal: the hand is found by the colour of its skin, as in a camera's frames, with its
 // forearm: evaluate() cuts it after it has added noise, so that without noise the tracker is given

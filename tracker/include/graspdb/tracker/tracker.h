@@ -57,7 +57,7 @@ enum class DescriptorKind { kHog, kLearned };
 DescriptorKind descriptor_kind(const Database& database);
 
 // As chosen for this temporal model and such rows on the training sequences (docs/tracking.md).
-TrackerOptions tuned_options(TemporalModel temporal, DescriptorKind kind = DescriptorKind::kHog);
+TrackerOptions tuned_options(TemporalModel temporal, DescriptorKind kind);
 
 // One of the numbers among them.
 struct TrackerNumber {
@@ -80,7 +80,7 @@ inline constexpr std::array<TrackerNumber, 8> kTrackerNumbers = {
      {"bandwidth", "--bandwidth", &TrackerOptions::bandwidth, 0.01, 100,
       "Of the pose around each last hypothesis (kde, successors)"},
      {"merge_deg", "--merge", &TrackerOptions::merge_deg, 0, 90,
-      "Hypotheses so near to the heaviest are averaged with it, degrees"},
+      "The answer lies between the hypotheses so near to the heaviest, degrees"},
      {"max_distance", "--max-distance", &TrackerOptions::max_distance, 0.01, 1000,
       "A nearest descriptor further away is no hand", false}}};
 
@@ -117,7 +117,7 @@ struct Estimate {
   Mask hand;                   // HandReader's
   Box box;                     // of the mask, pixels; empty without one
   DescriptorBytes descriptor;  // of the mask's pixels; of a left hand in the mirror
-  // The answer: the heaviest hypothesis; its rotation and angles lie between where some are merged.
+  // The answer: the heaviest hypothesis; where some are merged, its pose and place lie between.
   std::uint32_t row = 0;
   double distance = 0;           // of the nearest descriptor
   int grasp = 0;                 // id, of the row
