@@ -78,15 +78,15 @@ HWY_INLINE SumsVec QuadAt(const std::uint8_t* HWY_RESTRICT inputs) {
 
 #if HWY_TARGET == HWY_AVX3_DL
 
-struct QuadWeights {
-  SumsVec all;
-  explicit QuadWeights(const std::int8_t* HWY_RESTRICT weights)
-      : all(hn::BitCast(Sums(), hn::LoadU(Bytes(), weights))) {}
-};
+using QuadWeights = SumsVec;
+
+HWY_INLINE QuadWeights LoadWeights(const std::int8_t* HWY_RESTRICT weights) {
+  return hn::BitCast(Sums(), hn::LoadU(Bytes(), weights));
+}
 
 HWY_INLINE SumsVec AddProducts(SumsVec sums, SumsVec inputs, const QuadWeights& weights) {
   // Highway lets its compilers use every instruction of this target but this one.
-  asm("vpdpbusd %2, %1, %0" : "+v"(sums.raw) : "v"(inputs.raw), "v"(weights.all.raw));
+  asm("vpdpbusd %2, %1, %0" : "+v"(sums.raw) : "v"(inputs.raw), "v"(weights.raw));
   return sums;
 }
 
@@ -95,12 +95,12 @@ HWY_INLINE SumsVec AddProducts(SumsVec sums, SumsVec inputs, const QuadWeights& 
 // The first and third of each four, the second and fourth, as words.
 struct QuadWeights {
   hn::Vec<Shorts> even, odd;
-  explicit QuadWeights(const std::int8_t* HWY_RESTRICT weights) {
-    const auto all = hn::BitCast(Shorts(), hn::LoadU(Bytes(), weights));
-    even = hn::ShiftRight<8>(hn::ShiftLeft<8>(all));
-    odd = hn::ShiftRight<8>(all);
-  }
 };
+
+HWY_INLINE QuadWeights LoadWeights(const std::int8_t* HWY_RESTRICT weights) {
+  const auto all = hn::BitCast(Shorts(), hn::LoadU(Bytes(), weights));
+  return {hn::ShiftRight<8>(hn::ShiftLeft<8>(all)), hn::ShiftRight<8>(all)};
+}
 
 HWY_INLINE SumsVec AddProducts(SumsVec sums, SumsVec inputs, const QuadWeights& weights) {
   const Shorts w;
@@ -135,7 +135,7 @@ HWY_INLINE void ConvolvePixels(const Convolution& layer, const std::uint8_t* HWY
       for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
         inputs[pixel] = QuadAt(window + i * line + j + pixel * step);
       for (std::size_t v = 0; v < kVectors; ++v) {
-        const QuadWeights weights(weight[v]);
+        const QuadWeights weights = LoadWeights(weight[v]);
         for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
           sums[v][pixel] = AddProducts(sums[v][pixel], inputs[pixel], weights);
         weight[v] += kInputQuad * kOutputBlock;
