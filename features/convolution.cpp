@@ -19,8 +19,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace graspdb {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
 // Elsewhere ReorderWidenMulAccumulate spreads its sums over two results.
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128 || !HWY_ARCH_X86
 
@@ -38,7 +36,8 @@ void ConvolveRow(const Convolution& layer, std::span<const std::uint8_t> picture
       std::int64_t sum = layer.bias[out];
       for (std::size_t i = 0; i < layer.kernel; ++i) {
         for (std::size_t j = 0; j < across; j += kInputQuad) {
-          for (std::size_t k = 0; k < kInputQuad; ++k) sum += window[i * line + j + k] * weight[k];
+          for (std::size_t k = 0; k < kInputQuad; ++k)
+            sum += std::int64_t{window[i * line + j + k]} * weight[k];
           weight += kInputQuad * kOutputBlock;
         }
       }
@@ -49,6 +48,8 @@ void ConvolveRow(const Convolution& layer, std::span<const std::uint8_t> picture
 }
 
 #else
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 using Sums = hn::CappedTag<std::int32_t, kOutputBlock>;
 using Bytes = hn::Repartition<std::int8_t, Sums>;
