@@ -7,22 +7,24 @@
 
 namespace graspdb {
 
-// Codes of small integers, laid out for the scan: blocks of 16 rows, in each of them the first two
-// numbers of all 16 rows, then the next two, and so on.
+// Codes of small integers, laid out for the scan: blocks of 16 rows, in each of them the first four
+// numbers of all 16 rows, then the next four, and so on. Lengths are multiples of four.
 constexpr std::size_t kCodeBlock = 16;
+constexpr std::size_t kCodeQuad = 4;
 
-// Two numbers of a query's code, the first in the low half, as the scan wants them.
-constexpr std::int32_t code_pair(std::int8_t first, std::int8_t second) {
-  return static_cast<std::int32_t>(static_cast<std::uint16_t>(first) |
-                                   static_cast<std::uint32_t>(static_cast<std::uint16_t>(second))
-                                       << 16);
+// A query's numbers, as the scan multiplies them: from 0 to 255.
+constexpr std::uint8_t raised(std::int8_t number) {
+  return static_cast<std::uint8_t>(number + 128);
 }
 
+// With it |query - row|^2 = |query|^2 + row_term(row) - 2 * sum of raised(query) * row.
+std::int32_t row_term(std::span<const std::int8_t> code);
+
 // For all blocks of `squared` (16 numbers each): the squared distance of each row's code to the
-// query's, and whether any of the block is less than `bound`. `query` holds the pairs of one code;
-// query_norm and norms are squared lengths of codes.
-void code_distances(std::span<const std::int32_t> query, std::int32_t query_norm,
-                    const std::int8_t* codes, const std::int32_t* norms, std::int32_t bound,
+// query's, and whether any of the block is less than `bound`. `query` holds the numbers of one
+// code, raised; query_norm is the squared length of the code itself.
+void code_distances(std::span<const std::uint8_t> query, std::int32_t query_norm,
+                    const std::int8_t* codes, const std::int32_t* row_terms, std::int32_t bound,
                     std::span<std::int32_t> squared, std::span<bool> near);
 
 }  // namespace graspdb

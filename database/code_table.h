@@ -8,6 +8,7 @@
 
 #include "code_distance.h"
 #include "graspdb/database/search.h"
+#include "huge_pages.h"
 #include "top_k.h"
 
 namespace graspdb {
@@ -16,7 +17,7 @@ namespace graspdb {
 // (code_distance.h).
 class CodeTable {
  public:
-  CodeTable(std::size_t rows, std::size_t dimensions);  // an even number of dimensions
+  CodeTable(std::size_t rows, std::size_t dimensions);
 
   // Rows may be stored from several threads at once.
   void store(std::size_t row, std::span<const std::int8_t> code);
@@ -25,12 +26,13 @@ class CodeTable {
   std::vector<Neighbor> nearest(std::span<const std::int8_t> code, std::size_t count) const;
 
  private:
-  void scan_batch(std::span<const std::int32_t> query, std::int32_t query_norm, std::size_t start,
+  void scan_batch(std::span<const std::uint8_t> query, std::int32_t query_norm, std::size_t start,
                   TopK& best) const;
 
   std::size_t rows_, dimensions_;
-  std::vector<std::int8_t> codes_;  // whole batches of blocks
-  std::vector<std::int32_t> norms_;
+  std::size_t length_;  // of a code, rounded up to whole quads
+  HugePages codes_;     // whole batches of blocks
+  std::vector<std::int32_t> row_terms_;
 };
 
 }  // namespace graspdb

@@ -1,60 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "exact.h"
 
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <cstring>
-#include <new>
 
 #include "code_table.h"
 #include "distance.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/parallel.h"
+#include "huge_pages.h"
 #include "top_k.h"
 
 namespace graspdb {
 namespace {
 
-// A copy of the descriptors where memory is read fastest: in huge pages, no row across a cache
-// line. In the mapped file they lie as the columns before them leave them; the copy is read in two
-// thirds of the time.
-class AlignedRows {
- public:
-  explicit AlignedRows(std::span<const std::uint8_t> rows) : size_(rows.size()) {
-    constexpr std::size_t kHugePage = 2 << 20;
-    const std::size_t bytes = (size_ / kHugePage + 1) * kHugePage;
-    copy_.reset(static_cast<std::uint8_t*>(std::aligned_alloc(kHugePage, bytes)));
-    if (!copy_) throw std::bad_alloc();
-    ::madvise(copy_.get(), bytes, MADV_HUGEPAGE);  // a wish: small pages do as well
-    if (!rows.empty()) std::memcpy(copy_.get(), rows.data(), size_);
-  }
-  std::span<const std::uint8_t> rows() const { return {copy_.get(), size_}; }
-
- private:
-  struct Free {
-    void operator()(std::uint8_t* memory) const { std::free(memory); }
-  };
-  std::size_t size_;
-  std::unique_ptr<std::uint8_t, Free> copy_;
-};
-
+// Of a copy of the descriptors: in the mapped file they lie as the columns before them leave them,
+// and are read in one and a half times the time.
 class ExactSearch : public Search {
  public:
   explicit ExactSearch(const Database& database) : copy_(database.hogs().bytes) {}
 
   std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
-    return exact_nearest({copy_.rows(), kDescriptorSize}, query, k);
+    return exact_nearest({copy_.bytes(), kDescriptorSize}, query, k);
   }
 
  private:
-  AlignedRows copy_;
+  HugePages copy_;
 };
 
-// The same of short descriptors: compared as codes of small whole numbers, a row takes half the
-// instructions.
+// The same of short descriptors: compared as codes of small whole numbers, a row takes a quarter of
+// the instructions or less.
 class ExactCodeSearch : public Search {
  public:
   explicit ExactCodeSearch(const DescriptorTable& rows) : table_(rows.rows(), rows.size) {

@@ -3,7 +3,6 @@
 // program runs.
 #include "convolution.h"
 
-// Instructions that multiply and add four bytes at once.
 #define HWY_WANT_AVX3_DL
 
 #undef HWY_TARGET_INCLUDE
@@ -14,13 +13,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+
+#include "graspdb/core/highway/byte_quads-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace graspdb {
 namespace HWY_NAMESPACE {
-// Elsewhere ReorderWidenMulAccumulate spreads its sums over two results.
-#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128 || !HWY_ARCH_X86
+#if !GRASPDB_HAS_BYTE_QUADS
 
 void ConvolveRow(const Convolution& layer, std::span<const std::uint8_t> picture, std::size_t y,
                  std::span<std::int32_t> row) {
@@ -51,11 +50,10 @@ void ConvolveRow(const Convolution& layer, std::span<const std::uint8_t> picture
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Sums = hn::CappedTag<std::int32_t, kOutputBlock>;
-using Bytes = hn::Repartition<std::int8_t, Sums>;
-using Shorts = hn::Repartition<std::int16_t, Sums>;
+using Sums = QuadSums;
 using Longs = hn::Repartition<std::int64_t, Sums>;
-using SumsVec = hn::Vec<Sums>;
+using SumsVec = QuadSumsVec;
+static_assert(kOutputBlock % kByteQuadLanes == 0);
 
 // The upper halves of the products, rounded.
 HWY_INLINE SumsVec Scaled(SumsVec sums, SumsVec multipliers) {
@@ -69,51 +67,6 @@ HWY_INLINE SumsVec Scaled(SumsVec sums, SumsVec multipliers) {
   const auto odd = hn::Add(hn::MulEven(upper(sums), upper(multipliers)), half);
   return hn::OddEven(hn::BitCast(s, odd), upper(hn::BitCast(s, even)));
 }
-
-// Four neighbouring inputs, as they lie, in every lane.
-HWY_INLINE SumsVec QuadAt(const std::uint8_t* HWY_RESTRICT inputs) {
-  std::int32_t quad = 0;
-  std::memcpy(&quad, inputs, sizeof(quad));
-  return hn::Set(Sums(), quad);
-}
-
-#if HWY_TARGET == HWY_AVX3_DL
-
-using QuadWeights = SumsVec;
-
-HWY_INLINE QuadWeights LoadWeights(const std::int8_t* HWY_RESTRICT weights) {
-  return hn::BitCast(Sums(), hn::LoadU(Bytes(), weights));
-}
-
-HWY_INLINE SumsVec AddProducts(SumsVec sums, SumsVec inputs, const QuadWeights& weights) {
-  // Highway lets its compilers use every instruction of this target but this one.
-  asm("vpdpbusd %2, %1, %0" : "+v"(sums.raw) : "v"(inputs.raw), "v"(weights.raw));
-  return sums;
-}
-
-#else
-
-// The first and third of each four, the second and fourth, as words.
-struct QuadWeights {
-  hn::Vec<Shorts> even, odd;
-};
-
-HWY_INLINE QuadWeights LoadWeights(const std::int8_t* HWY_RESTRICT weights) {
-  const auto all = hn::BitCast(Shorts(), hn::LoadU(Bytes(), weights));
-  return {hn::ShiftRight<8>(hn::ShiftLeft<8>(all)), hn::ShiftRight<8>(all)};
-}
-
-HWY_INLINE SumsVec AddProducts(SumsVec sums, SumsVec inputs, const QuadWeights& weights) {
-  const Shorts w;
-  const hn::RebindToUnsigned<Shorts> u;
-  const auto even = hn::And(hn::BitCast(w, inputs), hn::Set(w, 255));
-  const auto odd = hn::BitCast(w, hn::ShiftRight<8>(hn::BitCast(u, inputs)));
-  SumsVec none = hn::Zero(Sums());
-  sums = hn::ReorderWidenMulAccumulate(Sums(), even, weights.even, sums, none);
-  return hn::ReorderWidenMulAccumulate(Sums(), odd, weights.odd, sums, none);
-}
-
-#endif
 
 // kPixels neighbours of the result, for kVectors times as many outputs as a vector has lanes.
 template <std::size_t kVectors, std::size_t kPixels>
@@ -136,7 +89,7 @@ HWY_INLINE void ConvolvePixels(const Convolution& layer, const std::uint8_t* HWY
       for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
         inputs[pixel] = QuadAt(window + i * line + j + pixel * step);
       for (std::size_t v = 0; v < kVectors; ++v) {
-        const QuadWeights weights = LoadWeights(weight[v]);
+        const SignedQuads weights = LoadSignedQuads(weight[v]);
         for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
           sums[v][pixel] = AddProducts(sums[v][pixel], inputs[pixel], weights);
         weight[v] += kInputQuad * kOutputBlock;

@@ -2,6 +2,7 @@
 #include "graspdb/features/crop.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -14,6 +15,9 @@ namespace {
 
 constexpr int kMarginPercent = 8;  // of the side, half of it at either end
 constexpr int kLongestSide = 1 << 14;
+
+// How much a hand's contrast is changed: in flat light there is more noise than shading.
+constexpr double kLeastContrast = 0.5, kMostContrast = 3;
 
 // Lengths are counted in 128ths of a picture's pixel, so that all of them are whole.
 constexpr int kUnit = 2 * kCropSide;
@@ -46,8 +50,9 @@ CropSpans crop_spans(int corner_x2, int side, int length) {
   return spans;
 }
 
+using CropSums = std::array<std::uint64_t, kCropPixels>;
 struct PlaneSums {
-  std::array<std::uint64_t, kCropPixels> gray{}, mask{}, scene{};
+  CropSums gray{}, mask{}, scene{};
 };
 
 // One of the crop's rows while its columns are still the picture's: sums down the picture. They run
@@ -125,16 +130,49 @@ PlaneSums sum_square(const GrayImage& gray, const Mask& mask, const CropSquare& 
   return planes;
 }
 
-CropPlane scaled(const std::array<std::uint64_t, kCropPixels>& sums, double factor) {
+// A crop's pixel is gain * sum of greys + offset * sum of shares, of what lies under it.
+struct Levels {
+  double gain = 0, offset = 0;
+};
+
+CropPlane leveled(const CropSums& sums, const CropSums& shares, const Levels& levels) {
   CropPlane plane;
-  std::ranges::transform(sums, plane.begin(), [factor](std::uint64_t sum) {
-    return static_cast<std::uint8_t>(std::min(static_cast<double>(sum) * factor + 0.5, 255.0));
-  });
+  for (std::size_t i = 0; i < kCropPixels; ++i) {
+    const double level =
+        static_cast<double>(sums[i]) * levels.gain + static_cast<double>(shares[i]) * levels.offset;
+    plane[i] = static_cast<std::uint8_t>(std::clamp(level + 0.5, 0.0, 255.0));
+  }
   return plane;
 }
 
-double total(const std::array<std::uint64_t, kCropPixels>& sums) {
+double total(const CropSums& sums) {
   return static_cast<double>(std::accumulate(sums.begin(), sums.end(), std::uint64_t{0}));
+}
+
+// Of the picture's grey levels, averaged under each of the crop's pixels, as the mask covers it.
+struct Brightness {
+  double mean = 0, deviation = 0;
+};
+
+Brightness brightness_of(const PlaneSums& sums) {
+  const double covered = total(sums.mask);
+  double squares = 0;
+  for (std::size_t i = 0; i < kCropPixels; ++i) {
+    if (sums.mask[i] == 0) continue;
+    const auto gray = static_cast<double>(sums.gray[i]);
+    squares += gray / static_cast<double>(sums.mask[i]) * gray;
+  }
+  const double mean = covered > 0 ? total(sums.gray) / covered : 0;
+  return {mean, covered > 0 ? std::sqrt(std::max(squares / covered - mean * mean, 0.0)) : 0};
+}
+
+// `area` is the sum of shares under a pixel that the mask covers wholly.
+Levels levels_of(const Brightness& hand, double area) {
+  if (hand.mean <= 0) return {};  // a black hand stays black
+  const double wanted = kCropContrast * hand.mean / kCropGray;
+  const double contrast =
+      std::clamp(wanted / std::max(hand.deviation, 1e-9), kLeastContrast, kMostContrast);
+  return {kCropGray / hand.mean * contrast / area, kCropGray * (1 - contrast) / area};
 }
 
 }  // namespace
@@ -151,17 +189,16 @@ std::optional<CropSquare> crop_square(const Mask& mask) {
   return CropSquare{2 * box->x + box->width - side, 2 * box->y + box->height - side, side};
 }
 
-// Sums are whole and below 2^53; one multiplication and one addition round alike everywhere.
+// Sums are whole and below 2^53; the few steps after them, in this order, round alike everywhere.
 HandCrop crop_hand(const GrayImage& gray, const Mask& mask, const CropSquare& square) {
   GRASPDB_CHECK(gray.width() == mask.width() && gray.height() == mask.height());
   GRASPDB_CHECK(std::max(gray.width(), gray.height()) <= kLongestSide && square.side > 0);
   const PlaneSums sums = sum_square(gray, mask, square);
   const double area = 4.0 * square.side * square.side;
-  const double bright = total(sums.gray);
-  const double brightness =
-      bright > 0 ? kCropGray * total(sums.mask) / bright / area : 0;  // of a black hand none
-  return {scaled(sums.gray, brightness), scaled(sums.mask, 255 / area),
-          scaled(sums.scene, brightness)};
+  const Brightness hand = brightness_of(sums);
+  const Levels scene{hand.mean > 0 ? kCropGray / hand.mean / area : 0};
+  return {leveled(sums.gray, sums.mask, levels_of(hand, area)),
+          leveled(sums.mask, sums.mask, {255 / area}), leveled(sums.scene, sums.mask, scene)};
 }
 
 }  // namespace graspdb

@@ -20,7 +20,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostFileBytes = std::size_t{16} << 20;  // far above what a small net needs
 constexpr const char* kFormat = "graspdb descriptor";
-constexpr const char* kFormatVersion = "1";
+constexpr const char* kFormatVersion = "2";
 constexpr int kMostLayers = 32, kMostChannels = 1024, kMostScale = 4096;
 constexpr std::int64_t kLargestInput = 255;
 constexpr std::int64_t kMostResult = std::int64_t{1} << 27;

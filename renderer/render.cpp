@@ -38,8 +38,8 @@ InterpolatedVertex interpolate(const Hit& hit) {
 }
 
 std::uint8_t shade(const HandLight& light, const InterpolatedVertex& at) {
-  const float lambert = std::max(0.0F, at.normal.dot(light.towards));
-  const float gray = 255.0F * at.albedo * (light.ambient * at.openness + light.diffuse * lambert);
+  const float lit = std::max(0.0F, at.normal.dot(light.towards) + light.softness);
+  const float gray = 255.0F * at.albedo * (light.ambient * at.openness + light.diffuse * lit);
   // NOLINTNEXTLINE(bugprone-incorrect-roundings): never negative
   return static_cast<std::uint8_t>(std::clamp(gray, 0.0F, 255.0F) + 0.5F);
 }

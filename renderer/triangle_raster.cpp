@@ -127,8 +127,8 @@ HWY_INLINE hn::Vec<Ints> Gray(const Corner (&corners)[3], const Weights& weights
   const Vec sum = Sum(w);
   const Vec ambient = hn::Mul(hn::Mul(hn::Set(f, light.ambient), length),
                               Dot(w, a.openness, b.openness, c.openness));
-  const Vec diffuse =
-      hn::Mul(hn::Mul(hn::Set(f, light.diffuse), sum), hn::Max(cosine, hn::Zero(f)));
+  const Vec lit = hn::Add(cosine, hn::Mul(hn::Set(f, light.softness), length));
+  const Vec diffuse = hn::Mul(hn::Mul(hn::Set(f, light.diffuse), sum), hn::Max(lit, hn::Zero(f)));
   const Vec albedo = hn::Mul(hn::Set(f, 255), Dot(w, a.albedo, b.albedo, c.albedo));
   const Vec gray =
       hn::Div(hn::Mul(albedo, hn::Add(ambient, diffuse)), hn::Mul(hn::Mul(sum, sum), length));

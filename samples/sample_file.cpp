@@ -78,7 +78,7 @@ void write(const std::filesystem::path& path, std::span<const Sample> samples,
     tensors.push_back(field.info);
     tensors.back().shape.insert(tensors.back().shape.begin(), samples.size());
   }
-  metadata.insert({{"format", "graspdb samples"}, {"format_version", "1"}});
+  metadata.insert({{"format", "graspdb samples"}, {"format_version", "2"}});
   FileAside file(path);
   file.write(safetensors_header(tensors, metadata));
   for (const Field& field : all) {

@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Made hands took nearly half of the time, and a picture's pixels are larger than their triangles.
+constexpr double kCoarseness = 1.5;
 constexpr int kMostShapes = 20;  // of measures; one in ten is out of proportion
 
 std::vector<fs::path> default_hands() {
@@ -64,7 +66,7 @@ HandShape draw_shape(RandomStream& random) {
 Hand draw_made_hand(RandomStream& random) {
   for (int draw = 1;; ++draw) {
     try {
-      return make_hand(draw_shape(random));
+      return make_hand(draw_shape(random), kCoarseness);
     } catch (const Error&) {
       if (draw == kMostShapes) throw;
     }

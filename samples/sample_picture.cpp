@@ -28,8 +28,23 @@ Light draw_light(const SampleConfig& config, RandomStream& random) {
   const Eigen::Vector3d towards(0.8 * random.normal(), 0.8 * random.normal() - 0.3, -1);
   light.ambient += config.light * (ambient - light.ambient);
   light.diffuse += config.light * (diffuse - light.diffuse);
+  light.softness = config.light * std::max(0.0, random.uniform(-0.5, 1));
   light.towards_light_in_camera += config.light * (towards - light.towards_light_in_camera);
   return light;
+}
+
+// Of something between the light and the hand: its edges are as soft as the light is wide. It may
+// miss the hand.
+cv::Mat_<float> draw_shadow(const cv::Size& size, double softness, RandomStream& random) {
+  const Outline outline = random.uniform() < 0.5 ? Outline::kEllipse : Outline::kRectangle;
+  Mask shape = draw_outline(size.width, size.height, outline, 0.1, 0.6, random);
+  const cv::Mat image = as_mat(shape);
+  constexpr double kWidestEdge = 20;  // pixels
+  const int edge = 1 + static_cast<int>(std::lround(kWidestEdge * softness));
+  cv::blur(image, image, {edge, edge});
+  cv::Mat_<float> shadow;
+  image.convertTo(shadow, CV_32F, -random.uniform(0.15, 0.7) / 255);
+  return shadow;
 }
 
 // Values that vary slowly over the picture, about 0 with this standard deviation or so.
@@ -112,8 +127,8 @@ void add_noise(GrayImage& gray, double deviation, RandomStream& random) {
 
 void photograph(GrayImage& gray, const SampleConfig& config, RandomStream& random) {
   const double blur = config.sensor * random.uniform(0, 1.2), noise = random.uniform(0, 10);
-  const double gamma = random.uniform(0.6, 1.6);
-  apply_gamma(gray, 1 + config.skin * (gamma - 1));
+  const double gamma = std::exp(random.uniform(std::log(0.4), std::log(1.6)));
+  apply_gamma(gray, std::pow(gamma, config.skin));
   const cv::Mat image = as_mat(gray);
   if (blur > 0.3) cv::GaussianBlur(image, image, {}, blur);
   if (config.sensor > 0) add_noise(gray, config.sensor * noise, random);
@@ -169,13 +184,17 @@ bool shows_enough(const HandCrop& crop) {
 std::optional<Sample> draw_picture(const SampleScene& scene, const SampleConfig& config,
                                    RandomStream& random) {
   const Camera camera = draw_camera(scene.posed, config, random);
-  View view = rasterize(scene.posed.scene, camera, draw_light(config, random));
+  const Light light = draw_light(config, random);
+  View view = rasterize(scene.posed.scene, camera, light);
   if (random.uniform() < config.occluders) hide_behind_object(view, random);
   const cv::Size size(view.label.width(), view.label.height());
   Paints paints;
   paints[kBackground] = draw_wall(size, random);
   paints[kObjectSurface] = draw_object(size, random);
   paints[kHandSurface] = draw_skin(size, config, random);
+  if (random.uniform() < 0.35 * config.light) {
+    paints[kHandSurface].patches += draw_shadow(size, light.softness, random);
+  }
   GrayImage gray = painted(view, paints);
   photograph(gray, config, random);
   Mask mask = visible_hand(view);

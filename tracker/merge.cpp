@@ -11,7 +11,7 @@ namespace graspdb {
 namespace {
 
 // Bytes: codes that differ by less say little of the pose. The best for hand.safetensors.
-constexpr float kCodeRidge = 14;
+constexpr float kCodeRidge = 5;
 
 // Such that the mean of two places looks half way between them.
 Eigen::RowVector3d place_of(const Eigen::Vector3d& palm_center) {

@@ -29,7 +29,7 @@ double confidence_at(double distance, DescriptorKind kind) {
   struct Curve {
     double half, width;
   };
-  const Curve curve = kind == DescriptorKind::kHog ? Curve{3.9, 1.2} : Curve{0.56, 0.09};
+  const Curve curve = kind == DescriptorKind::kHog ? Curve{3.9, 1.2} : Curve{0.46, 0.07};
   return 1 / (1 + std::exp((distance - curve.half) / curve.width));
 }
 

@@ -44,12 +44,12 @@ double albedo_at(double distance) {
 }
 
 // Few triangles, but all of them on the nails, where the grey changes.
-RawMesh reduced(const HandSurface& surface, const RawMesh& fine) {
+RawMesh reduced(const HandSurface& surface, const RawMesh& fine, std::size_t triangles) {
   std::vector<bool> kept;
   for (const Eigen::Vector3d& v : fine.vertices) {
     kept.push_back(distance_from_nails(surface, v) < kFoldEnd);
   }
-  return simplified(fine, kTriangleCount, kept);
+  return simplified(fine, triangles, kept);
 }
 
 Mesh finished_mesh(const HandSurface& surface, const RawMesh& raw) {
@@ -141,16 +141,18 @@ HandShape in_proportion(const HandShape& base, const WantedMeasures& wanted) {
   return shape;
 }
 
-Hand make_hand(const HandShape& shape) {
+Hand make_hand(const HandShape& shape, double coarseness) {
+  GRASPDB_CHECK(coarseness >= 1);
   check(shape);
   const FleshScales scales = fitting_scales(shape);
   const double width = scales.width;
   Hand hand{.name = shape.name, .skeleton = skeleton_of_shape(shape, width)};
   hand.hand_from_bone_at_bind = hand_from_bones(hand.skeleton, bind_angles());
   const HandSurface surface = surface_of_shape(shape, scales);
-  RawMesh fine = mesh_surface(surface, kCellMm * width);
+  RawMesh fine = mesh_surface(surface, kCellMm * width * coarseness);
   relax(surface, 3, fine);
-  RawMesh mesh = reduced(surface, fine);
+  RawMesh mesh =
+      reduced(surface, fine, static_cast<std::size_t>(kTriangleCount / (coarseness * coarseness)));
   relax(surface, 4, mesh);
   GRASPDB_CHECK(is_sphere_like(mesh.vertices.size(), mesh.triangles));
   hand.bind_mesh = finished_mesh(surface, mesh);

@@ -101,7 +101,7 @@ def export(net, recipe, calibration, extra):
     net.eval()
     with torch.no_grad():
         tensors, computed = whole_numbers(net.body.cpu(), planes_of(calibration, recipe.planes))
-    metadata = {"format": "graspdb descriptor", "format_version": "1", "licence": "MIT",
+    metadata = {"format": "graspdb descriptor", "format_version": "2", "licence": "MIT",
                 "planes": json.dumps(list(recipe.planes)), "recipe": recipe.json(), **computed, **extra}
     return tensors, metadata
 

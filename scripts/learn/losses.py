@@ -17,7 +17,7 @@ class Weights:
     view: float = 1
     angles: float = 3
     joints: float = 5
-    contrast: float = 0
+    contrast: float = 0.5
     # A pair is like by a normal curve of these widths; `temperature` is that of the codes' cosine.
     contrast_turn_deg: float = 12
     contrast_angles_deg: float = 12

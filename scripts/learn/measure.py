@@ -8,8 +8,8 @@ import numpy
 import torch
 
 import retrieval
-import safetensors
 from net import planes_of
+from shards import read_samples
 
 HERE = pathlib.Path(__file__).resolve().parent
 REFERENCES = 20_000
@@ -38,41 +38,56 @@ def outputs_of(net, samples, planes, device="cpu"):
     return {name: torch.cat([part[name] for part in parts]) for name in parts[0]}
 
 
-class Measurement:
-    """Frames with truth and references, made once and kept in the work folder."""
+class Frames:
+    """Frames of sequences, with their truth."""
 
-    def __init__(self, program, folder, sequences, references=REFERENCES):
-        folder = pathlib.Path(folder)
-        frames, rows = folder / "frames.safetensors", folder / "references.safetensors"
-        made(program, frames, ["--sequences", sequences])
-        made(program, rows, ["--config", HERE / "references.toml", "--count", references])
-        self.frames, _ = safetensors.read(frames)
-        self.references, _ = safetensors.read(rows)
-        self.truth = retrieval.labels_of(self.frames)
-        self.labels = retrieval.labels_of(self.references)
-        self.sequence = torch.as_tensor(numpy.array(self.frames["sequence"]))
-
-    def of_codes(self, queries, references):
-        answers = retrieval.answers_by_codes(queries, references, self.labels)
-        return {name: self.figures(answer) for name, answer in answers.items()}
-
-    def of_net(self, net, planes, device="cpu"):
-        out = outputs_of(net, self.frames, planes, device)
-        figures = self.of_codes(out["code"], codes_of(net, self.references, planes, device))
-        figures["heads"] = self.figures(retrieval.answer_of_heads(out))
-        return figures
+    def __init__(self, samples):
+        self.samples = samples
+        self.truth = retrieval.labels_of(samples)
+        self.sequence = torch.as_tensor(numpy.array(samples["sequence"]))
 
     def figures(self, answer):
         return retrieval.summary(retrieval.errors(answer, self.truth), self.sequence)
 
 
+class Measurement:
+    """Frames and references, made once and kept in the work folder."""
+
+    def __init__(self, program, folder, sequences, photoreal=None, references=REFERENCES):
+        folder = pathlib.Path(folder)
+        self.references = made(program, folder / "references.safetensors",
+                               ["--config", HERE / "references.toml", "--count", references])
+        self.labels = retrieval.labels_of(self.references)
+        of_sequences = ["--sequences", sequences]
+        self.frames = {"": Frames(made(program, folder / "frames.safetensors", of_sequences))}
+        if photoreal:
+            self.frames["photoreal, "] = Frames(made(program, folder / "photoreal.safetensors",
+                                                     [*of_sequences, "--photoreal", photoreal]))
+
+    def of_codes(self, codes):
+        """`codes` gives those of samples."""
+        references = codes(self.references)
+        return {title + name: frames.figures(answer)
+                for title, frames in self.frames.items()
+                for name, answer in retrieval.answers_by_codes(codes(frames.samples), references, self.labels).items()}
+
+    def of_net(self, net, planes, device="cpu"):
+        figures = self.of_codes(lambda samples: codes_of(net, samples, planes, device))
+        for title, frames in self.frames.items():
+            out = outputs_of(net, frames.samples, planes, device)
+            figures[title + "heads"] = frames.figures(retrieval.answer_of_heads(out))
+        return figures
+
+
 def made(program, path, options):
+    """The samples of that file, which is made if it is not there."""
     if not path.exists():
         path.parent.mkdir(parents=True, exist_ok=True)
         subprocess.run([str(program), "samples", *map(str, options), "--out", str(path)], check=True,
                        stdout=subprocess.DEVNULL)
+    return read_samples(path)[0]
 
 
 def tell(figures):
     for name, values in figures.items():
-        print(f"  {name:12} {retrieval.told(values)}", flush=True)
+        print(f"  {name:23} {retrieval.told(values)}", flush=True)

@@ -16,6 +16,16 @@ import safetensors
 
 HELD = 3
 LABELS = ("rotation", "angles", "joints")
+SAMPLES_VERSION = "2"
+
+
+def read_samples(path):
+    """(tensors, metadata); those of another version of the program are no training pictures of this one."""
+    tensors, metadata = safetensors.read(path)
+    if metadata["format_version"] != SAMPLES_VERSION:
+        raise SystemExit(f"{path}: format_version: expected {SAMPLES_VERSION}, found {metadata['format_version']}; "
+                         f"start in another work folder")
+    return tensors, metadata
 
 
 class Shards:
@@ -49,7 +59,7 @@ class Shards:
     def load(self, shard):
         self.start(shard)
         self.finish(shard)
-        tensors, metadata = safetensors.read(self.path(shard))
+        tensors, metadata = read_samples(self.path(shard))
         for asset in json.loads(metadata["assets"]):
             self.assets[asset["name"]] = asset["hash"]
         # Copied: the file is gone before the samples are.

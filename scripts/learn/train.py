@@ -130,9 +130,8 @@ def write_weights(trainer, shards, measurement, path):
     tensors, metadata = export.export(net, recipe, calibration, extra)
     if measurement:
         figures = measurement.of_net(net, recipe.planes)
-        codes = [export.integer_codes(tensors, metadata, samples)
-                 for samples in (measurement.frames, measurement.references)]
-        figures.update({f"{name}, int8": values for name, values in measurement.of_codes(*codes).items()})
+        whole = measurement.of_codes(lambda samples: export.integer_codes(tensors, metadata, samples))
+        figures.update({f"{name}, int8": values for name, values in whole.items()})
         tell(figures)
         metadata["figures"] = json.dumps(figures)
     export.write(path, tensors, metadata)
@@ -169,6 +168,7 @@ def parsed():
     parser.add_argument("--out", required=True, type=pathlib.Path, help="the weights")
     parser.add_argument("--config", help="of the samples")
     parser.add_argument("--sequences", help="a folder to measure on; none when absent")
+    parser.add_argument("--photoreal", help="a folder of photoreal frames of theirs to measure on, too")
     parser.add_argument("--minutes", type=float, help="as many crops as this takes, instead of --crops")
     parser.add_argument("--planes", default=",".join(recipe.planes))
     for name in ("layers", "size", "seed", "crops", "batch", "parts", "shard", "rate"):
@@ -186,7 +186,9 @@ def main():
     shard, planes = (state[0].recipe.shard, state[0].recipe.planes) if state else \
         (options.shard, options.planes.split(","))
     shards = Shards(options.program, options.work, planes, shard, options.config)
-    measurement = Measurement(options.program, options.work, options.sequences) if options.sequences else None
+    measurement = None
+    if options.sequences:
+        measurement = Measurement(options.program, options.work, options.sequences, options.photoreal)
     try:
         if state:
             trainer, shards.assets = state

@@ -40,35 +40,32 @@ TEST_P(InstructionSets, GiveTheDistancesOfAPlainLoop) {
 
 TEST_P(InstructionSets, GiveTheCodeDistancesOfAPlainLoop) {
   RandomStream random(0);
-  for (const std::size_t pairs : {1, 2, 3, 64}) {
-    constexpr std::size_t kBlocks = 3;
-    std::vector<std::int8_t> query(2 * pairs), codes(kBlocks * kCodeBlock * 2 * pairs);
-    const auto fill = [&](std::vector<std::int8_t>& code) {
-      for (std::int8_t& value : code) {
-        value = static_cast<std::int8_t>(static_cast<int>(random.below(255)) - 127);
-      }
+  for (const std::size_t length : {4, 8, 12, 128}) {
+    constexpr std::size_t kBlocks = 3, kRows = kBlocks * kCodeBlock;
+    const auto drawn = [&] {
+      std::vector<std::int8_t> code(length);
+      for (std::int8_t& value : code) value = static_cast<std::int8_t>(random.below(256));
+      return code;
     };
-    fill(query);
-    fill(codes);
-    std::vector<std::int32_t> norms(kBlocks * kCodeBlock), expected(norms.size()),
-        squared(norms.size()), packed;
-    for (std::size_t i = 0; i < pairs; ++i) {
-      packed.push_back(code_pair(query[2 * i], query[2 * i + 1]));
+    const std::vector<std::int8_t> query = drawn();
+    std::vector<std::int8_t> codes(kRows * length);
+    std::vector<std::int32_t> terms, expected(kRows), squared(kRows);
+    for (std::size_t row = 0; row < kRows; ++row) {
+      const std::vector<std::int8_t> code = drawn();
+      terms.push_back(row_term(code));
+      for (std::size_t i = 0; i < length; ++i) {
+        codes[row / kCodeBlock * kCodeBlock * length + i / kCodeQuad * kCodeQuad * kCodeBlock +
+              row % kCodeBlock * kCodeQuad + i % kCodeQuad] = code[i];
+        expected[row] += (code[i] - query[i]) * (code[i] - query[i]);
+      }
     }
+    std::vector<std::uint8_t> numbers(length);
+    std::ranges::transform(query, numbers.begin(), raised);
     std::int32_t query_norm = 0;
     for (const std::int8_t value : query) query_norm += value * value;
-    for (std::size_t row = 0; row < norms.size(); ++row) {
-      for (std::size_t i = 0; i < 2 * pairs; ++i) {
-        const std::size_t block = row / kCodeBlock * kCodeBlock * 2 * pairs;
-        const std::int8_t value =
-            codes[block + i / 2 * 2 * kCodeBlock + row % kCodeBlock * 2 + i % 2];
-        norms[row] += value * value;
-        expected[row] += (value - query[i]) * (value - query[i]);
-      }
-    }
     const std::int32_t bound = expected[20];
     std::array<bool, kBlocks> near;
-    code_distances(packed, query_norm, codes.data(), norms.data(), bound, squared, near);
+    code_distances(numbers, query_norm, codes.data(), terms.data(), bound, squared, near);
     EXPECT_EQ(squared, expected);
     for (std::size_t block = 0; block < kBlocks; ++block) {
       const auto rows = std::span(expected).subspan(block * kCodeBlock, kCodeBlock);

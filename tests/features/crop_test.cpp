@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -72,9 +73,9 @@ TEST(CropHand, OfAnExactMultipleIsTheMeanOfItsBlocks) {
   }
   const CropSquare square{0, 0, 128};
   const HandCrop crop = crop_hand(gray, mask, square);
-  // The hand's mean is 80: 40 becomes half of kCropGray, 120 half more than it.
-  EXPECT_NEAR(crop.gray[32 * kCropSide + 10], kCropGray * 0.5, 1);
-  EXPECT_NEAR(crop.gray[32 * kCropSide + 50], kCropGray * 1.5, 1);
+  // The hand's mean is 80 and its standard deviation 40.
+  EXPECT_NEAR(crop.gray[32 * kCropSide + 10], kCropGray - kCropContrast, 1);
+  EXPECT_NEAR(crop.gray[32 * kCropSide + 50], kCropGray + kCropContrast, 1);
   EXPECT_EQ(crop.mask[32 * kCropSide + 10], 255);
   EXPECT_EQ(crop.mask[32 * kCropSide + 2], 128);  // one column of two
   EXPECT_EQ(crop.mask[0], 0);
@@ -88,6 +89,45 @@ TEST(CropHand, DoesNotDependOnBrightness) {
   const HandCrop a = crop_hand(picture.gray, picture.mask, square);
   const HandCrop b = crop_hand(darker.gray, picture.mask, square);
   for (std::size_t i = 0; i < kCropPixels; ++i) EXPECT_NEAR(a.gray[i], b.gray[i], 3);
+}
+
+// Four quarters of the picture, all of them the hand's.
+HandCrop crop_of_quarters(std::array<std::uint8_t, 4> levels) {
+  GrayImage gray(128, 128);
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      gray.at(x, y) = levels[static_cast<std::size_t>(x / 64 + y / 64 * 2)];
+    }
+  }
+  return crop_hand(gray, Mask(128, 128, 255), CropSquare{0, 0, 128});
+}
+
+TEST(CropHand, DoesNotDependOnContrast) {
+  const HandCrop a = crop_of_quarters({90, 110, 120, 80});
+  const HandCrop b = crop_of_quarters({80, 120, 140, 60});
+  EXPECT_GT(a.gray[63], a.gray[0] + 20);
+  for (std::size_t i = 0; i < kCropPixels; ++i) EXPECT_NEAR(a.gray[i], b.gray[i], 1);
+}
+
+TEST(CropHand, ContrastIsAtMostHalved) {
+  const HandCrop crop = crop_of_quarters({10, 10, 10, 250});  // mean 70, standard deviation 104
+  EXPECT_NEAR(crop.gray[0], kCropGray * (1 - 60.0 / 70 / 2), 1);
+  EXPECT_NEAR(crop.gray[kCropPixels - 1], kCropGray * (1 + 180.0 / 70 / 2), 1);
+}
+
+TEST(CropHand, WhatBecomesDarkerThanBlackIsBlack) {
+  GrayImage gray(64, 64, 100);
+  for (int x = 0; x < 64; ++x) gray.at(x, 0) = 20;
+  const HandCrop crop = crop_hand(gray, Mask(64, 64, 255), CropSquare{0, 0, 64});
+  EXPECT_EQ(crop.gray[0], 0);
+  EXPECT_GT(crop.gray[kCropPixels - 1], kCropGray);
+}
+
+TEST(CropHand, NoiseOfAFlatHandBecomesThreeTimesAsMuchAndNoMore) {
+  const HandCrop crop = crop_of_quarters({85, 86, 85, 84});
+  EXPECT_EQ(crop.gray[0], kCropGray);
+  EXPECT_EQ(crop.gray[63], kCropGray + 3);
+  EXPECT_EQ(crop.gray[kCropPixels - 1], kCropGray - 3);
 }
 
 TEST(CropHand, WhatIsOutsideTheMaskIsInTheSceneAlone) {

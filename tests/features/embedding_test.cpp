@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
     Each, FaultyNet,
     ::testing::Values(
         Fault{"AnotherFormat", [](NetFile& f) { f.metadata["format"] = "other"; }, "format"},
-        Fault{"AnotherVersion", [](NetFile& f) { f.metadata["format_version"] = "2"; },
+        Fault{"AnotherVersion", [](NetFile& f) { f.metadata["format_version"] = "1"; },
               "format_version"},
         Fault{"NoScale", [](NetFile& f) { f.metadata.erase("embedding_scale"); },
               "embedding_scale"},

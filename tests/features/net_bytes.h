@@ -39,7 +39,7 @@ inline NetLayer random_layer(std::size_t outputs, std::size_t kernel, std::size_
 struct NetFile {
   std::vector<NetLayer> layers;
   std::map<std::string, std::string> metadata = {{"format", "graspdb descriptor"},
-                                                 {"format_version", "1"},
+                                                 {"format_version", "2"},
                                                  {"planes", R"(["gray","mask"])"},
                                                  {"embedding_scale", "500"}};
 

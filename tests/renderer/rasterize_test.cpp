@@ -55,9 +55,9 @@ struct Disagreement {
   }
 };
 
-void expect_the_same_picture(const Scene& scene, const Camera& camera) {
+void expect_the_same_picture(const Scene& scene, const Camera& camera, const Light& light = {}) {
   Disagreement seen;
-  seen.add(render(scene, camera), rasterize(scene, camera));
+  seen.add(render(scene, camera, light), rasterize(scene, camera, light));
   EXPECT_EQ(seen.label_inside, 0);
   EXPECT_LE(seen.label, 1);
   EXPECT_LE(seen.shading, 1);
@@ -91,6 +91,14 @@ TEST(Rasterize, DrawsPicturesOfAnySize) {
   const Scene scene(capsule({0, 0, 0.7}, 0.04, 0.1), {}, &object);
   for (const auto& [width, height] : {std::pair(1, 1), {2, 5}, {3, 3}, {131, 126}, {640, 77}}) {
     expect_the_same_picture(scene, straight_camera(width, height, 3.0 * height));
+  }
+}
+
+TEST(Rasterize, LightsAsRaysDo) {
+  const Scene scene(sphere({0, 0, 0.7}, 0.1), {}, nullptr);
+  for (const double softness : {0.0, 0.4, 1.0}) {
+    const Light light{.softness = softness, .towards_light_in_camera = {-2, 1, -0.5}};
+    expect_the_same_picture(scene, straight_camera(128, 128, 400), light);
   }
 }
 

@@ -138,6 +138,22 @@ TEST(Render, ShadingIsAmbientPlusLambertTimesAlbedo) {
   }
 }
 
+TEST(Render, ASoftLightReachesWhatIsTurnedAwayFromIt) {
+  Mesh hand = sphere({0, 0, 0.7}, 0.1, 256);
+  hand.albedo.assign(hand.vertices.size(), 0.5F);
+  const Light light{
+      .ambient = 0.1, .diffuse = 0.6, .softness = 0.5, .towards_light_in_camera = {0, -1, 0}};
+  const View view =
+      render(Scene(hand, {}, nullptr), straight_camera(101, 101, 300), light, kAllLayers);
+  for (const auto& [x, y] : {std::pair(50, 50), {50, 25}, {60, 60}, {50, 85}}) {
+    const double cosine = -view.normal.at(x, y).y();
+    EXPECT_NEAR(view.shading.at(x, y), 255 * 0.5 * (0.1 + 0.6 * std::max(0.0, cosine + 0.5) / 1.5),
+                0.6)
+        << x << ' ' << y;
+  }
+  EXPECT_LT(-view.normal.at(60, 60).y(), 0);  // turned away, and lit
+}
+
 TEST(Render, TheLightIsFixedToTheCamera) {
   const Scene scene(sphere({0, 0, 0}, 0.1), {}, nullptr);
   const Light from_above{.towards_light_in_camera = {0, -1, -0.2}};

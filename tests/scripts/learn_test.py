@@ -42,8 +42,8 @@ class Learned(unittest.TestCase):
         cls.shards = Shards(PROGRAM, path, RECIPE.planes, RECIPE.shard)
         cls.trainer = train.Trainer(RECIPE, "cpu")
         clean = path / "clean.safetensors"
-        measure.made(PROGRAM, clean, ["--config", measure.HERE / "references.toml", "--count", 3000])
-        cls.clean = {name: numpy.array(values) for name, values in safetensors.read(clean)[0].items()}
+        samples = measure.made(PROGRAM, clean, ["--config", measure.HERE / "references.toml", "--count", 3000])
+        cls.clean = {name: numpy.array(values) for name, values in samples.items()}
         cls.before = cls.turn_error(cls.codes())
         parts = []
         for number in range(cls.trainer.rounds):

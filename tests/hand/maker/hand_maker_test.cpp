@@ -151,6 +151,22 @@ TEST(HandMaker, LeftHandIsMirroredOnTheWayIn) {
   expect_same_hand(load_hand(directory / "male.glb"), hand);
 }
 
+Eigen::AlignedBox3f box_of(const Hand& hand) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& vertex : hand.bind_mesh.vertices) box.extend(vertex);
+  return box;
+}
+
+TEST(HandMaker, ACoarseHandIsTheSameHandOfFewerTriangles) {
+  const Hand fine = load_hand(kHands + "child.glb");
+  const Hand coarse = make_hand(default_hand_shape("child"), 1.5);
+  EXPECT_NEAR(static_cast<double>(coarse.bind_mesh.triangles.size()),
+              static_cast<double>(fine.bind_mesh.triangles.size()) / (1.5 * 1.5), 10);
+  EXPECT_TRUE(box_of(coarse).min().isApprox(box_of(fine).min(), 0.01F));
+  EXPECT_TRUE(box_of(coarse).max().isApprox(box_of(fine).max(), 0.01F));
+  EXPECT_TRUE(coarse.skeleton.tip_in_distal[0].isApprox(fine.skeleton.tip_in_distal[0], 1e-5));
+}
+
 TEST(HandMaker, RefusesAnUnknownDefaultHand) {
   EXPECT_THROW(default_hand_shape("giant"), Error);
 }

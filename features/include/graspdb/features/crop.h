@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The small square picture of a hand that a learned descriptor reads. The same code makes it of a
-// rendered view and of a camera frame, in whole numbers: the same bytes on every processor.
+// rendered view and of a camera frame, with the same bytes on every processor.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,14 +16,16 @@ constexpr int kCropSide = 64;  // pixels
 constexpr std::size_t kCropPixels = std::size_t{kCropSide} * kCropSide;
 using CropPlane = std::array<std::uint8_t, kCropPixels>;  // row by row
 
-// What lies under each of its pixels, on average. Greys are relative to the hand's: its mean is
-// kCropGray, and what is brighter than three times that is 255.
+// What lies under each of its pixels, on average. Greys are relative to the hand's: its mean
+// becomes kCropGray. In `gray` the standard deviation over the crop's pixels becomes kCropContrast,
+// too, since pictures differ more in contrast than hands do; contrast is at most halved, and at
+// most three times as large. Then all are cut to 0..255.
 struct HandCrop {
   CropPlane gray{};   // of the mask's pixels, all others counted as 0
   CropPlane mask{};   // 255 where the mask covers it all
   CropPlane scene{};  // of all pixels; 0 beyond the picture
 };
-constexpr int kCropGray = 85;
+constexpr int kCropGray = 85, kCropContrast = 28;
 
 // The square of the picture that a crop shows: the mask's tight box, made square and larger by 8 %.
 struct CropSquare {

@@ -42,11 +42,14 @@ class Scene {
 // between touching fingers. 16 rays and a reach of 0.03 m show them.
 std::vector<float> ambient_openness(const Mesh& hand, const Mesh* object, int rays, double reach);
 
-// Grey = 255 * albedo * (ambient * openness + diffuse * max(0, cosine to the light)), clipped, with
-// normal, albedo and openness interpolated between the triangle's vertices.
+// Grey = 255 * albedo * (ambient * openness + diffuse * lit), clipped, with normal, albedo and
+// openness interpolated between the triangle's vertices. `lit` is max(0, cosine to the light +
+// softness) / (1 + softness): a softness above 0 is a wide light, which reaches round to what is
+// turned away.
 struct Light {
   double ambient = 0.35;
   double diffuse = 0.6;
+  double softness = 0;                                // 0..1
   Eigen::Vector3d towards_light_in_camera{0, 0, -1};  // need not be of unit length
 };
 

@@ -31,9 +31,9 @@ struct SampleConfig {
   // Pictures.
   double nearest_m = 0.35, farthest_m = 1.2;  // camera to palm
   int smallest_px = 72, largest_px = 160;     // side of the picture
-  double light = 1;                           // 1: any direction and strength; 0: that of rows
-  double skin = 1;                            // patches, contrast and blotches of the skin
-  double sensor = 1;                          // blur and noise
+  double light = 1;   // 1: any direction, strength, width, and shadows; 0: that of rows
+  double skin = 1;    // patches of the skin, the curve of grey levels
+  double sensor = 1;  // blur and noise
 
   // Masks that err. A share of the pictures has a true one, as rows have.
   double true_masks = 0.25;

@@ -51,9 +51,10 @@ struct WantedMeasures {
 HandShape in_proportion(const HandShape& base, const WantedMeasures& wanted);
 
 // Deterministic: the same shape gives the same bytes on the same kind of machine. Takes about
-// half a second on two processors. Throws Error naming a measure that no hand has, or when the
-// fingers are so thick that they touch in the bind pose.
-Hand make_hand(const HandShape& shape);
+// half a second on two processors. `coarseness` is at least 1: edges that many times as long, for
+// where hands are needed in number and seen from afar. Throws Error naming a measure that no hand
+// has, or when the fingers are so thick that they touch in the bind pose.
+Hand make_hand(const HandShape& shape, double coarseness = 1);
 
 // Writes hand.glb and its rig map hand.rig.toml beside it, both aside and renamed. Throws Error
 // when a rig map is there that was not written so: a person may have filled it in.
