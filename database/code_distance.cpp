@@ -91,7 +91,7 @@ HWY_EXPORT(CodeDistances);
 // The squared length, and what raising the query adds to twice the products: 2 * 128 * row.
 std::int32_t row_term(std::span<const std::int8_t> code) {
   std::int32_t norm = 0;
-  for (const std::int32_t number : code) norm += number * (number + 256);
+  for (const std::int8_t number : code) norm += number * (number + 256);
   return norm;
 }
 
