@@ -27,6 +27,8 @@ HugePages::HugePages(std::span<const std::uint8_t> copied)
   std::ranges::copy(copied, memory_.get());
 }
 
-void HugePages::Free::operator()(std::uint8_t* memory) const { std::free(memory); }
+void HugePages::Free::operator()(std::uint8_t* memory) const {
+  std::free(memory);
+}
 
 }  // namespace graspdb

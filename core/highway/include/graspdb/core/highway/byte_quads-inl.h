@@ -16,7 +16,8 @@
 #include <cstdint>
 #include <cstring>
 
-// Elsewhere ReorderWidenMulAccumulate spreads its sums over two results: a plain loop does it there.
+// Elsewhere ReorderWidenMulAccumulate spreads its sums over two results: a plain loop does it
+// there.
 #undef GRASPDB_HAS_BYTE_QUADS
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128 || !HWY_ARCH_X86
 #define GRASPDB_HAS_BYTE_QUADS 0
