@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 mkdir -p "$out"
 
 run() { # NAME [KEY=VALUE of the samples' configuration ...] [-- OPTIONS of train.py]
-    local name=$1 work=$out/$1.work
+    local name=$1 work=$out/$1.safetensors.work
     shift
     [ ! -f "$out/$name.safetensors" ] || return 0
     mkdir -p "$work"
