@@ -66,16 +66,21 @@ class Measurement:
 
     def of_codes(self, codes):
         """`codes` gives those of samples."""
-        references = codes(self.references)
-        return {title + name: frames.figures(answer)
-                for title, frames in self.frames.items()
-                for name, answer in retrieval.answers_by_codes(codes(frames.samples), references, self.labels).items()}
+        return self.of_queries({title: codes(frames.samples) for title, frames in self.frames.items()},
+                               codes(self.references))
+
+    def of_queries(self, queries, references):
+        """The codes of all frames, by title, and of the references."""
+        return {title + name: self.frames[title].figures(answer)
+                for title, codes in queries.items()
+                for name, answer in retrieval.answers_by_codes(codes, references, self.labels).items()}
 
     def of_net(self, net, planes, device="cpu"):
-        figures = self.of_codes(lambda samples: codes_of(net, samples, planes, device))
-        for title, frames in self.frames.items():
-            out = outputs_of(net, frames.samples, planes, device)
-            figures[title + "heads"] = frames.figures(retrieval.answer_of_heads(out))
+        outputs = {title: outputs_of(net, frames.samples, planes, device) for title, frames in self.frames.items()}
+        figures = self.of_queries({title: out["code"] for title, out in outputs.items()},
+                                  codes_of(net, self.references, planes, device))
+        for title, out in outputs.items():
+            figures[title + "heads"] = self.frames[title].figures(retrieval.answer_of_heads(out))
         return figures
 
 
