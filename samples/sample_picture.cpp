@@ -28,7 +28,7 @@ Light draw_light(const SampleConfig& config, RandomStream& random) {
   const Eigen::Vector3d towards(0.8 * random.normal(), 0.8 * random.normal() - 0.3, -1);
   light.ambient += config.light * (ambient - light.ambient);
   light.diffuse += config.light * (diffuse - light.diffuse);
-  light.softness = config.light * std::max(0.0, random.uniform(-0.5, 1));
+  light.softness = std::clamp(config.light * random.uniform(-0.5, 1), 0.0, 1.0);
   light.towards_light_in_camera += config.light * (towards - light.towards_light_in_camera);
   return light;
 }
