@@ -23,11 +23,9 @@ void CodeDistances(std::span<const std::uint8_t> query, std::int32_t query_norm,
                    const std::int8_t* codes, const std::int32_t* row_terms, std::int32_t bound,
                    std::span<std::int32_t> squared, std::span<bool> near) {
   for (std::size_t row = 0; row < squared.size(); ++row) {
-    const std::int8_t* code =
-        codes + row / kCodeBlock * kCodeBlock * query.size() + row % kCodeBlock * kCodeQuad;
     std::int32_t dot = 0;
     for (std::size_t i = 0; i < query.size(); ++i) {
-      dot += query[i] * code[i / kCodeQuad * kCodeQuad * kCodeBlock + i % kCodeQuad];
+      dot += query[i] * codes[code_place(row, i, query.size())];
     }
     squared[row] = query_norm + row_terms[row] - 2 * dot;
     bool& any = near[row / kCodeBlock];
@@ -70,7 +68,7 @@ void CodeDistances(std::span<const std::uint8_t> query, std::int32_t query_norm,
     near[block] = false;
     for (std::size_t row = 0; row < kCodeBlock; row += hn::Lanes(QuadSums())) {
       const std::size_t at = block * kCodeBlock + row;
-      const std::int8_t* code = codes + block * kCodeBlock * query.size() + row * kCodeQuad;
+      const std::int8_t* code = codes + code_place(at, 0, query.size());
       near[block] |=
           RowDistances(query, query_norm, code, row_terms + at, bound, squared.data() + at);
     }

@@ -12,6 +12,13 @@ namespace graspdb {
 constexpr std::size_t kCodeBlock = 16;
 constexpr std::size_t kCodeQuad = 4;
 
+// Where number `i` of a row's code lies, when codes are `length` long.
+constexpr std::size_t code_place(std::size_t row, std::size_t i, std::size_t length) {
+  const std::size_t block = row / kCodeBlock * kCodeBlock * length;
+  const std::size_t quad = i / kCodeQuad * kCodeQuad * kCodeBlock;
+  return block + quad + row % kCodeBlock * kCodeQuad + i % kCodeQuad;
+}
+
 // A query's numbers, as the scan multiplies them: from 0 to 255.
 constexpr std::uint8_t raised(std::int8_t number) {
   return static_cast<std::uint8_t>(number + 128);

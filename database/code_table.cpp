@@ -7,16 +7,13 @@
 #include <numeric>
 
 #include "graspdb/core/error.h"
+#include "graspdb/core/rounded_up.h"
 
 namespace graspdb {
 namespace {
 
 constexpr std::size_t kBatch = 32;  // blocks scanned at once: they stay in a cache
 constexpr std::size_t kBatchRows = kBatch * kCodeBlock;
-
-std::size_t rounded_up(std::size_t count, std::size_t step) {
-  return (count + step - 1) / step * step;
-}
 
 std::int32_t squared_length(std::span<const std::int8_t> code) {
   return std::inner_product(code.begin(), code.end(), code.begin(), std::int32_t{0});
@@ -33,10 +30,8 @@ CodeTable::CodeTable(std::size_t rows, std::size_t dimensions)
 
 void CodeTable::store(std::size_t row, std::span<const std::int8_t> code) {
   GRASPDB_CHECK(row < rows_ && code.size() == dimensions_);
-  std::uint8_t* to = codes_.bytes().data() + row / kCodeBlock * kCodeBlock * length_ +
-                     row % kCodeBlock * kCodeQuad;
   for (std::size_t i = 0; i < dimensions_; ++i) {
-    to[i / kCodeQuad * kCodeQuad * kCodeBlock + i % kCodeQuad] = static_cast<std::uint8_t>(code[i]);
+    codes_.bytes()[code_place(row, i, length_)] = static_cast<std::uint8_t>(code[i]);
   }
   row_terms_[row] = row_term(code);
 }

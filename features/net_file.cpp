@@ -11,6 +11,7 @@
 #include "graspdb/core/hash.h"
 #include "graspdb/core/json/safetensors.h"
 #include "graspdb/core/json/strict_json.h"
+#include "graspdb/core/rounded_up.h"
 #include "net.h"
 
 namespace graspdb {
@@ -24,10 +25,6 @@ constexpr const char* kFormatVersion = "2";
 constexpr int kMostLayers = 32, kMostChannels = 1024, kMostScale = 4096;
 constexpr std::int64_t kLargestInput = 255;
 constexpr std::int64_t kMostResult = std::int64_t{1} << 27;
-
-std::size_t rounded_up(std::size_t count, std::size_t block) {
-  return (count + block - 1) / block * block;
-}
 
 void expect(const Safetensors& file, const std::string& key, const std::string& expected) {
   const std::string& found = file.metadata(key);

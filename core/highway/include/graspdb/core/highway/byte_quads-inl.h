@@ -27,18 +27,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace graspdb {
 namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr std::size_t kByteQuadLanes = 16;  // at most
-using QuadSums = hwy::HWY_NAMESPACE::CappedTag<std::int32_t, kByteQuadLanes>;
-using QuadBytes = hwy::HWY_NAMESPACE::Repartition<std::int8_t, QuadSums>;
-using QuadShorts = hwy::HWY_NAMESPACE::Repartition<std::int16_t, QuadSums>;
-using QuadSumsVec = hwy::HWY_NAMESPACE::Vec<QuadSums>;
+using QuadSums = hn::CappedTag<std::int32_t, kByteQuadLanes>;
+using QuadBytes = hn::Repartition<std::int8_t, QuadSums>;
+using QuadShorts = hn::Repartition<std::int16_t, QuadSums>;
+using QuadSumsVec = hn::Vec<QuadSums>;
 
 // Four neighbouring bytes, as they lie, in every lane.
 HWY_INLINE QuadSumsVec QuadAt(const std::uint8_t* HWY_RESTRICT bytes) {
   std::int32_t quad = 0;
   std::memcpy(&quad, bytes, sizeof(quad));
-  return hwy::HWY_NAMESPACE::Set(QuadSums(), quad);
+  return hn::Set(QuadSums(), quad);
 }
 
 #if HWY_TARGET == HWY_AVX3_DL
@@ -47,7 +48,6 @@ using SignedQuads = QuadSumsVec;
 
 // Four of them a lane.
 HWY_INLINE SignedQuads LoadSignedQuads(const std::int8_t* HWY_RESTRICT bytes) {
-  namespace hn = hwy::HWY_NAMESPACE;
   return hn::BitCast(QuadSums(), hn::LoadU(QuadBytes(), bytes));
 }
 
@@ -62,17 +62,15 @@ HWY_INLINE QuadSumsVec AddProducts(QuadSumsVec sums, QuadSumsVec quads, const Si
 
 // The first and third of each four, the second and fourth, as words.
 struct SignedQuads {
-  hwy::HWY_NAMESPACE::Vec<QuadShorts> even, odd;
+  hn::Vec<QuadShorts> even, odd;
 };
 
 HWY_INLINE SignedQuads LoadSignedQuads(const std::int8_t* HWY_RESTRICT bytes) {
-  namespace hn = hwy::HWY_NAMESPACE;
   const auto all = hn::BitCast(QuadShorts(), hn::LoadU(QuadBytes(), bytes));
   return {hn::ShiftRight<8>(hn::ShiftLeft<8>(all)), hn::ShiftRight<8>(all)};
 }
 
 HWY_INLINE QuadSumsVec AddProducts(QuadSumsVec sums, QuadSumsVec quads, const SignedQuads& by) {
-  namespace hn = hwy::HWY_NAMESPACE;
   const QuadShorts w;
   const hn::RebindToUnsigned<QuadShorts> u;
   const auto even = hn::And(hn::BitCast(w, quads), hn::Set(w, 255));
