@@ -12,58 +12,92 @@
 namespace graspdb {
 namespace {
 
-constexpr std::size_t kBatch = 32;  // blocks scanned at once: they stay in a cache
-constexpr std::size_t kBatchRows = kBatch * kCodeBlock;
+constexpr std::size_t kHead = 64;         // numbers of a code that are compared first
+constexpr std::size_t kBatchBlocks = 32;  // blocks scanned at once: they stay in a cache
+constexpr std::size_t kBatchRows = kBatchBlocks * kCodeBlock;
 
 std::int32_t squared_length(std::span<const std::int8_t> code) {
   return std::inner_product(code.begin(), code.end(), code.begin(), std::int32_t{0});
 }
 
+// A row as near as the bound comes behind the one that set it, so that only nearer ones count.
+std::int32_t bound_of(const TopK& best) {
+  return static_cast<std::int32_t>(
+      std::min<std::uint32_t>(best.bound(), std::numeric_limits<std::int32_t>::max()));
+}
+
 }  // namespace
+
+CodeTable::Query::Query(std::span<const std::int8_t> code)
+    : raised_numbers(rounded_up(code.size(), kCodeQuad)), norm(squared_length(code)) {
+  std::ranges::transform(code, raised_numbers.begin(), raised);
+}
+
+CodeTable::Part::Part(std::size_t rows, std::size_t dimensions)
+    : length(rounded_up(dimensions, kCodeQuad)),
+      codes(rounded_up(rows, kBatchRows) * length),
+      row_terms(rounded_up(rows, kBatchRows)) {}
+
+void CodeTable::Part::store(std::size_t row, std::span<const std::int8_t> code) {
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    codes.bytes()[code_place(row, i, length)] = static_cast<std::uint8_t>(code[i]);
+  }
+  row_terms[row] = row_term(code);
+}
+
+void CodeTable::Part::distances(const Query& query, std::size_t start, std::int32_t bound,
+                                std::span<std::int32_t> squared, std::span<bool> near) const {
+  const auto* first = reinterpret_cast<const std::int8_t*>(codes.bytes().data()) + start * length;
+  code_distances(query.raised_numbers, query.norm, first, row_terms.data() + start, bound, squared,
+                 near);
+}
 
 CodeTable::CodeTable(std::size_t rows, std::size_t dimensions)
     : rows_(rows),
       dimensions_(dimensions),
-      length_(rounded_up(dimensions, kCodeQuad)),
-      codes_(rounded_up(rows, kBatchRows) * length_),
-      row_terms_(rounded_up(rows, kBatchRows)) {}
+      head_dimensions_(std::min(kHead, dimensions)),
+      head_(rows, head_dimensions_),
+      tail_(rows, dimensions - head_dimensions_) {}
 
 void CodeTable::store(std::size_t row, std::span<const std::int8_t> code) {
   GRASPDB_CHECK(row < rows_ && code.size() == dimensions_);
-  for (std::size_t i = 0; i < dimensions_; ++i) {
-    codes_.bytes()[code_place(row, i, length_)] = static_cast<std::uint8_t>(code[i]);
-  }
-  row_terms_[row] = row_term(code);
+  head_.store(row, code.first(head_dimensions_));
+  tail_.store(row, code.subspan(head_dimensions_));
 }
 
 std::vector<Neighbor> CodeTable::nearest(std::span<const std::int8_t> code,
                                          std::size_t count) const {
   GRASPDB_CHECK(code.size() == dimensions_);
-  std::vector<std::uint8_t> query(length_);
-  std::ranges::transform(code, query.begin(), raised);
+  const Query head(code.first(head_dimensions_)), tail(code.subspan(head_dimensions_));
   TopK best(std::min(count, rows_));
-  for (std::size_t start = 0; start < rows_; start += kBatchRows) {
-    scan_batch(query, squared_length(code), start, best);
-  }
+  for (std::size_t start = 0; start < rows_; start += kBatchRows)
+    scan_batch(head, tail, start, best);
   return best.take();
 }
 
-void CodeTable::scan_batch(std::span<const std::uint8_t> query, std::int32_t query_norm,
-                           std::size_t start, TopK& best) const {
+void CodeTable::scan_batch(const Query& head, const Query& tail, std::size_t start,
+                           TopK& best) const {
   std::array<std::int32_t, kBatchRows> squared;
-  std::array<bool, kBatch> near;
-  // A row as near as the bound comes behind the one that set it, so that only nearer ones count.
-  const std::uint32_t bound =
-      std::min<std::uint32_t>(best.bound(), std::numeric_limits<std::int32_t>::max());
-  const auto* codes = reinterpret_cast<const std::int8_t*>(codes_.bytes().data()) + start * length_;
-  code_distances(query, query_norm, codes, row_terms_.data() + start,
-                 static_cast<std::int32_t>(bound), squared, near);
-  for (std::size_t block = 0; block < kBatch; ++block) {
-    if (!near[block]) continue;
-    for (std::size_t i = block * kCodeBlock; i < (block + 1) * kCodeBlock; ++i) {
-      if (start + i >= rows_) return;  // the padding of the last batch
-      best.offer(static_cast<std::uint32_t>(start + i), static_cast<std::uint32_t>(squared[i]));
-    }
+  std::array<bool, kBatchBlocks> near;
+  head_.distances(head, start, bound_of(best), squared, near);
+  for (std::size_t block = 0; block < kBatchBlocks; ++block) {
+    const std::size_t first = block * kCodeBlock;
+    if (near[block])
+      offer_block(tail, start + first, std::span(squared).subspan(first, kCodeBlock), best);
+  }
+}
+
+// `squared` are the distances by the heads.
+void CodeTable::offer_block(const Query& tail, std::size_t start, std::span<std::int32_t> squared,
+                            TopK& best) const {
+  std::array<std::int32_t, kCodeBlock> rest{};
+  std::array<bool, 1> near;
+  if (tail_.length > 0)
+    tail_.distances(tail, start, std::numeric_limits<std::int32_t>::max(), rest, near);
+  const std::size_t end = std::min(start + kCodeBlock, rows_);  // the last batch is padded
+  for (std::size_t row = start; row < end; ++row) {
+    const std::int32_t distance = squared[row - start] + rest[row - start];
+    best.offer(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(distance));
   }
 }
 

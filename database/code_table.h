@@ -14,7 +14,8 @@
 namespace graspdb {
 
 // Short codes of whole numbers, -128..127, laid out so that all of them are compared quickly
-// (code_distance.h).
+// (code_distance.h). The first numbers of all codes lie by themselves: most rows are too far away
+// by these alone, and the rest of them is never read.
 class CodeTable {
  public:
   CodeTable(std::size_t rows, std::size_t dimensions);
@@ -26,13 +27,32 @@ class CodeTable {
   std::vector<Neighbor> nearest(std::span<const std::int8_t> code, std::size_t count) const;
 
  private:
-  void scan_batch(std::span<const std::uint8_t> query, std::int32_t query_norm, std::size_t start,
-                  TopK& best) const;
+  // A part of a code, as a query.
+  struct Query {
+    explicit Query(std::span<const std::int8_t> code);
+    std::vector<std::uint8_t> raised_numbers;
+    std::int32_t norm;
+  };
 
-  std::size_t rows_, dimensions_;
-  std::size_t length_;  // of a code, rounded up to whole quads
-  HugePages codes_;     // whole batches of blocks
-  std::vector<std::int32_t> row_terms_;
+  // The same part of all codes.
+  struct Part {
+    Part(std::size_t rows, std::size_t dimensions);
+    void store(std::size_t row, std::span<const std::int8_t> code);
+    // As code_distances() for the rows from `start` on, the first one of a block.
+    void distances(const Query& query, std::size_t start, std::int32_t bound,
+                   std::span<std::int32_t> squared, std::span<bool> near) const;
+
+    std::size_t length;  // of a code, rounded up to whole quads
+    HugePages codes;     // whole batches of blocks
+    std::vector<std::int32_t> row_terms;
+  };
+
+  void scan_batch(const Query& head, const Query& tail, std::size_t start, TopK& best) const;
+  void offer_block(const Query& tail, std::size_t start, std::span<std::int32_t> squared,
+                   TopK& best) const;
+
+  std::size_t rows_, dimensions_, head_dimensions_;
+  Part head_, tail_;
 };
 
 }  // namespace graspdb

@@ -19,24 +19,24 @@ namespace {
 
 constexpr std::size_t kSample = 8192;  // rows that the directions are fitted to
 constexpr std::size_t kBatch = 512;    // rows whose codes are worked out at once
+constexpr std::size_t kShortened = 4;  // by this factor codes are shorter than descriptors
 
 void check_options(const ScanOptions& options) {
   const auto refuse = [](const char* option, const char* expected, int found) {
     throw Error({.key = option, .expected = expected, .found = fmt::format("{}", found)});
   };
-  if (options.dimensions < 2 || options.dimensions > kDescriptorSize ||
-      options.dimensions % 2 != 0) {
-    refuse("dimensions", "an even number, 2 to 512", options.dimensions);
-  }
+  const int dimensions = options.dimensions.value_or(2);
+  if (dimensions < 2 || dimensions > kDescriptorSize || dimensions % 2 != 0)
+    refuse("dimensions", "an even number, 2 to 512", dimensions);
   if (options.rerank < 1) refuse("rerank", "at least 1", options.rerank);
 }
 
 class ScanSearch : public Search {
  public:
-  ScanSearch(const Database& database, const ScanOptions& options)
-      : rows_(database.descriptors()), options_(options) {
+  ScanSearch(const DescriptorTable& rows, int dimensions, int rerank)
+      : rows_(rows), dimensions_(dimensions), rerank_(static_cast<std::size_t>(rerank)) {
     if (rows_.rows() == 0) return;
-    pca_ = fit_pca(rows_, options_.dimensions, kSample);
+    pca_ = fit_pca(rows_, dimensions_, kSample);
     // One unit for all directions, so that distances between codes follow those between
     // descriptors; what lies beyond four standard deviations is cut off.
     scale_ = 127 / (4 * std::max(pca_.deviation, 1e-3F));
@@ -46,7 +46,7 @@ class ScanSearch : public Search {
   std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
     GRASPDB_CHECK(k >= 0);
     const auto wanted = static_cast<std::size_t>(k);
-    const auto kept = std::max(static_cast<std::size_t>(options_.rerank), 4 * wanted);
+    const auto kept = std::max(rerank_, 3 * wanted);
     if (kept >= rows_.rows()) return exact_nearest(rows_, query, k);
     std::vector<std::uint32_t> rows;
     const Codes code = codes_of(query);
@@ -76,7 +76,7 @@ class ScanSearch : public Search {
 
   void encode_all() {
     const std::size_t count = rows_.rows();
-    codes_.emplace(count, static_cast<std::size_t>(options_.dimensions));
+    codes_.emplace(count, static_cast<std::size_t>(dimensions_));
     parallel_for((count + kBatch - 1) / kBatch, 0, [&](std::size_t batch) {
       const std::size_t start = batch * kBatch, size = std::min(kBatch, count - start);
       const Codes codes = codes_of(rows_.bytes.subspan(start * rows_.size, size * rows_.size));
@@ -87,7 +87,8 @@ class ScanSearch : public Search {
   }
 
   DescriptorTable rows_;
-  ScanOptions options_;
+  int dimensions_;
+  std::size_t rerank_;
   Pca pca_;
   float scale_ = 1;
   std::optional<CodeTable> codes_;  // none of no rows
@@ -97,9 +98,10 @@ class ScanSearch : public Search {
 
 std::unique_ptr<Search> make_scan_search(const Database& database, const ScanOptions& options) {
   check_options(options);
-  const bool saves = static_cast<std::size_t>(options.dimensions) < database.descriptors().size;
-  if (!saves) return make_exact_search(database);
-  return std::make_unique<ScanSearch>(database, options);
+  const DescriptorTable rows = database.descriptors();
+  const int dimensions = options.dimensions.value_or(static_cast<int>(rows.size / kShortened));
+  if (static_cast<std::size_t>(dimensions) >= rows.size) return make_exact_search(database);
+  return std::make_unique<ScanSearch>(rows, dimensions, options.rerank);
 }
 
 }  // namespace graspdb

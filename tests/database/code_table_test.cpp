@@ -38,17 +38,32 @@ std::vector<Neighbor> by_a_plain_loop(const std::vector<Code>& codes, const Code
   return all;
 }
 
+// Every fifth stretch of 16 rows near to `to`: the others are far away by their first numbers
+// alone, or by their last ones alone. Of the near ones some are there again later.
+std::vector<Code> codes_around(const Code& to, std::size_t rows, RandomStream& random) {
+  std::vector<Code> codes;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::size_t stretch = row / 16 % 5;
+    codes.push_back(random_code(to.size(), random));
+    if (stretch == 1 && row >= 1000) codes[row] = codes[row - 976];
+    if (stretch == 2) std::copy_n(to.begin(), to.size() / 2, codes[row].begin());
+    if (stretch != 0) continue;
+    std::ranges::transform(codes[row], to, codes[row].begin(),
+                           [](std::int8_t noise, std::int8_t at) {
+                             return static_cast<std::int8_t>(std::clamp(at + noise / 8, -128, 127));
+                           });
+  }
+  return codes;
+}
+
 TEST(CodeTable, FindsTheNearestOfAPlainLoop) {
   RandomStream random(0);
-  for (const std::size_t dimensions : {1, 5, 7, 64, 128, 510}) {
-    for (const std::size_t rows : {0, 1, 511, 512, 513}) {
-      std::vector<Code> codes;
-      CodeTable table(rows, dimensions);
-      for (std::size_t row = 0; row < rows; ++row) {
-        codes.push_back(random_code(dimensions, random));
-        table.store(row, codes.back());
-      }
+  for (const std::size_t dimensions : {1, 5, 7, 63, 64, 65, 66, 128, 510}) {
+    for (const std::size_t rows : {0, 1, 511, 512, 513, 2000}) {
       const Code query = random_code(dimensions, random);
+      const std::vector<Code> codes = codes_around(query, rows, random);
+      CodeTable table(rows, dimensions);
+      for (std::size_t row = 0; row < rows; ++row) table.store(row, codes[row]);
       const std::vector<Neighbor> found = table.nearest(query, 20);
       const std::vector<Neighbor> expected = by_a_plain_loop(codes, query, 20);
       ASSERT_EQ(found.size(), expected.size());

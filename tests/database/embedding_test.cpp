@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 
 #include "database/sealed_file.h"
 #include "graspdb/core/error.h"
+#include "graspdb/core/random.h"
 #include "graspdb/database/database.h"
 #include "graspdb/database/search.h"
 #include "support/temporary_directory.h"
@@ -73,6 +77,40 @@ TEST_P(Embeddings, AreWhatIsSearched) {
     EXPECT_EQ(open_search(database, name)->nearest(rows[77].embedding, 1).at(0), (Neighbor{77, 0}))
         << name;
   }
+}
+
+// Codes that follow five numbers, as those of views follow their poses, and noise.
+std::vector<Row> smooth_rows(std::size_t count, std::size_t bytes) {
+  RandomStream slopes_random(1), random(2);
+  std::vector<double> slopes(bytes * 5);
+  for (double& slope : slopes) slope = 2 * slopes_random.normal();
+  std::vector<Row> rows = toy_rows(count, bytes);
+  for (Row& row : rows) {
+    std::array<double, 5> place;
+    for (double& number : place) number = random.uniform();
+    for (std::size_t i = 0; i < bytes; ++i) {
+      const double phase =
+          std::inner_product(place.begin(), place.end(), slopes.begin() + 5 * i, 0.0);
+      row.embedding[i] =
+          static_cast<std::uint8_t>(std::lround(128 + 40 * std::sin(phase) + 2 * random.normal()));
+    }
+  }
+  return rows;
+}
+
+TEST_P(Embeddings, ScanFindsNearlyAllOfTheNearest) {
+  std::vector<Row> rows = smooth_rows(5000, GetParam());
+  std::vector<DescriptorBytes> queries;
+  for (std::size_t i = 4960; i < rows.size(); ++i) queries.push_back(rows[i].embedding);
+  rows.resize(4800);
+  write_database(path_, toy_info(GetParam()), rows);
+  const Database database = Database::open(path_);
+  const auto exact = make_exact_search(database);
+  EXPECT_GE(recall(*make_scan_search(database), *exact, queries, 20), 0.99);
+  // Few are compared exactly, but never so few that the k nearest are those of the codes.
+  const auto least = make_scan_search(database, {.dimensions = 8, .rerank = 1});
+  EXPECT_GE(recall(*least, *exact, queries, 20), 0.9);
+  EXPECT_LT(recall(*least, *exact, queries, 20), 1);
 }
 
 TEST_P(Embeddings, PartsOfOtherWeightsAreNotJoined) {

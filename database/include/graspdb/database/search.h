@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,14 +43,15 @@ std::vector<Neighbor> measure(const Database& database, DescriptorView query,
 std::unique_ptr<Search> make_exact_search(const Database& database);
 
 // Compares short codes (the widest directions of a principal component analysis, a byte each) with
-// every row, then re-ranks the best by exact distance: needs a quarter of the memory traffic of
-// exact, and finds nearly the same. Making it reads the whole database.
+// every row, then re-ranks the best by exact distance: reads a quarter of the bytes, and finds
+// nearly the same rows. Making it reads the whole database.
 struct ScanOptions {
-  int dimensions = 128;  // of a code, even, 2 to 512
-  int rerank = 400;      // rows that are compared exactly, at least 1; never fewer than 4 k
+  std::optional<int>
+      dimensions;    // of a code, even, 2 to 512; absent: a quarter of the descriptor's
+  int rerank = 400;  // rows that are compared exactly, at least 1; never fewer than 3 k
 };
-// The exact search where descriptors are no longer than such codes, as learned ones are. Throws
-// Error that names an option out of range.
+// The exact search where descriptors are no longer than such codes. Throws Error that names an
+// option out of range.
 std::unique_ptr<Search> make_scan_search(const Database& database, const ScanOptions& options = {});
 
 // Multi-probe p-stable LSH (Datar et al. 2004; Lv et al. 2007), the paper's; candidates are
