@@ -4,26 +4,28 @@
 #include <algorithm>
 
 #include "graspdb/core/error.h"
+#include "graspdb/features/hog.h"
 #include "graspdb/features/segmentation.h"
 
 namespace graspdb {
 
+// Most of a mask is empty: only its box is gone through pixel by pixel.
 Regions::Regions(const Mask& mask) {
+  const Box box = tight_box(mask).value_or(Box{});
   std::size_t above = 0;
-  for (int y = 0; y < mask.height(); ++y) {
+  for (int y = box.y; y < box.y + box.height; ++y) {
     const std::size_t here = runs_.size();
-    add_row(mask, y);
+    add_row(mask.row(y), y, box.x, box.x + box.width);
     join_rows(above, here);
     above = here;
   }
   number_regions();
 }
 
-void Regions::add_row(const Mask& mask, int y) {
-  const std::uint8_t* row = mask.row(y);
-  const std::uint8_t* end = row + mask.width();
+void Regions::add_row(const std::uint8_t* row, int y, int left, int right) {
+  const std::uint8_t* end = row + right;
   const auto inside = [](std::uint8_t pixel) { return pixel != 0; };
-  for (const std::uint8_t* x = row;;) {
+  for (const std::uint8_t* x = row + left;;) {
     const std::uint8_t* first = std::find_if(x, end, inside);
     if (first == end) return;
     x = std::find_if_not(first, end, inside);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -31,7 +32,7 @@ class Regions {
     int y, begin, end;  // begin <= x < end
     std::size_t region;
   };
-  void add_row(const Mask& mask, int y);
+  void add_row(const std::uint8_t* row, int y, int left, int right);
   void join_rows(std::size_t above, std::size_t here);
   std::size_t root(std::size_t run);
   void number_regions();

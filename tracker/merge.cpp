@@ -13,6 +13,10 @@ namespace {
 // Bytes: codes that differ by less say little of the pose. The best for hand.safetensors.
 constexpr float kCodeRidge = 5;
 
+// Rows of less weight, as a share of the heaviest one's, are left out: they take time, and hardly
+// move the answer.
+constexpr double kLightest = 1e-3;
+
 // Such that the mean of two places looks half way between them.
 Eigen::RowVector3d place_of(const Eigen::Vector3d& palm_center) {
   const double z = palm_center.z();
@@ -48,14 +52,16 @@ PoseLine fitted_pose(const PoseLines& poses, const CodeLines& codes, const LineW
   Eigen::MatrixXf squares = Eigen::MatrixXf::Zero(codes.cols(), codes.cols());
   squares.diagonal().fill(kCodeRidge * kCodeRidge);
   squares.selfadjointView<Eigen::Lower>().rankUpdate(from_mean.transpose());
-  const Eigen::MatrixXf slopes =
-      squares.selfadjointView<Eigen::Lower>().llt().solve(from_mean.transpose() * turned);
-  const PoseLine fitted = mean_pose - mean_code * slopes;
+  // Only along the mean code is the slope of use: that is one equation to solve, not one a number.
+  const Eigen::VectorXf along =
+      squares.selfadjointView<Eigen::Lower>().llt().solve(mean_code.transpose());
+  const PoseLine fitted = mean_pose - (from_mean * along).transpose() * turned;
   return fitted.cwiseMax(poses.colwise().minCoeff()).cwiseMin(poses.colwise().maxCoeff());
 }
 
-// The heaviest candidate with a pose between those turned no further than merge_deg from it: their
-// mean by weight or, where rows have codes, what a line through them says.
+// The heaviest candidate with a pose between those that are not much lighter and turned no further
+// than merge_deg from it: their mean by weight or, where rows have codes, what a line through them
+// says.
 Tracker::Candidate Tracker::merged(const std::vector<Candidate>& candidates,
                                    DescriptorView query) const {
   Candidate best = candidates.front();
@@ -63,7 +69,8 @@ Tracker::Candidate Tracker::merged(const std::vector<Candidate>& candidates,
   std::vector<std::uint32_t> rows;
   PoseLines poses(candidates.size(), PoseLine::ColsAtCompileTime);
   LineWeights weights(candidates.size());
-  for (const Candidate& candidate : candidates) {
+  for (const Candidate& candidate : candidates) {  // the heaviest first
+    if (candidate.weight < kLightest * best.weight) break;
     const Eigen::Matrix3d best_from_row = best.rotation.transpose() * candidate.rotation;
     const Eigen::Vector3d turn = vector_from_rotation(best_from_row);
     if (turn.norm() > radians(options_.merge_deg)) continue;

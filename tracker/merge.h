@@ -12,7 +12,8 @@ namespace graspdb {
 // palm), angles.
 using PoseLine = Eigen::Matrix<float, 1, 3 + 3 + kAngleCount>;
 using PoseLines = Eigen::Matrix<float, Eigen::Dynamic, PoseLine::ColsAtCompileTime>;
-using CodeLines = Eigen::MatrixXf;  // less what was seen
+using CodeLines =
+    Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;  // less what was seen
 using LineWeights = Eigen::VectorXf;
 
 // Linear regression weighted by nearness (Cleveland 1979): the pose where the code is 0. It never
