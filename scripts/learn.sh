@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Trains a learned descriptor from nothing to a file of weights, measured on the training sequences. Goes on
+# Trains a learned descriptor, from nothing or from a file of weights, measured on the training sequences. Goes on
 # where it was when it is started again with the same --out.
 #   scripts/learn.sh [--minutes M] [--out FILE] [--sequences DIR|none] [OPTIONS of scripts/learn/train.py]
 # Beside FILE.work lie the shards, the checkpoint and what is measured: 1.5 GB, to be deleted at will.

@@ -11,6 +11,7 @@ import safetensors
 from integer_net import MIDDLE, SHIFT, IntegerNet
 from net import planes_of
 
+FORMAT = {"format": "graspdb descriptor", "format_version": "2"}
 LARGEST_WEIGHT, LARGEST_BYTE = 127, 255
 LAST_FACTOR = 1 / 4  # of the last layer's sums: as fine as may be, and squares stay small
 CLIPPED = 1e-4  # share of a code's values beyond what a byte holds
@@ -101,8 +102,8 @@ def export(net, recipe, calibration, extra):
     net.eval()
     with torch.no_grad():
         tensors, computed = whole_numbers(net.body.cpu(), planes_of(calibration, recipe.planes))
-    metadata = {"format": "graspdb descriptor", "format_version": "2", "licence": "MIT",
-                "planes": json.dumps(list(recipe.planes)), "recipe": recipe.json(), **computed, **extra}
+    metadata = {**FORMAT, "licence": "MIT", "planes": json.dumps(list(recipe.planes)), "recipe": recipe.json(),
+                **computed, **extra}
     return tensors, metadata
 
 

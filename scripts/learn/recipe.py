@@ -19,6 +19,7 @@ class Recipe:
     batch: int = 512
     parts: int = 2  # of a batch, each with statistics of its own: one a processor
     shard: int = 20_000
+    first: int = 0  # number of the first training picture
     rate: float = 3e-3
     warm_up: float = 0.05  # share of the training in which the rate rises
     decay: float = 1e-2

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Training pictures, made while the net learns from earlier ones.
 
-Shard k holds the samples k * SIZE ... Round r goes once, in a drawn order, through the shards
+Shard k holds the SIZE samples from FIRST + k * SIZE on. Round r goes once, in a drawn order, through the shards
 r ... r + HELD - 1, while shard r + HELD is made: each picture is seen HELD times, and all is a pure
 function of seed and round, so that training goes on after a kill as if nothing had been.
 """
@@ -29,9 +29,9 @@ def read_samples(path):
 
 
 class Shards:
-    def __init__(self, program, folder, planes, size, config=None):
+    def __init__(self, program, folder, planes, size, config=None, first=0):
         self.command = ["nice", "-n", "5", str(program), "samples"] + (["--config", str(config)] if config else [])
-        self.folder, self.planes, self.size = pathlib.Path(folder), planes, size
+        self.folder, self.planes, self.size, self.first = pathlib.Path(folder), planes, size, first
         self.folder.mkdir(parents=True, exist_ok=True)
         self.running = {}
         self.held = {}
@@ -44,7 +44,7 @@ class Shards:
         if shard in self.held or shard in self.running or self.path(shard).exists():
             return
         self.running[shard] = subprocess.Popen(
-            self.command + ["--first", str(shard * self.size), "--count", str(self.size),
+            self.command + ["--first", str(self.number_of_first(shard)), "--count", str(self.size),
                             "--out", str(self.path(shard))],
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
@@ -56,10 +56,21 @@ class Shards:
         if process.returncode:
             raise SystemExit(f"graspdb samples: {said.decode().strip()[-1000:]}")
 
+    def number_of_first(self, shard):
+        return self.first + shard * self.size
+
+    def check_is_ours(self, shard, tensors, metadata):
+        wanted = (self.number_of_first(shard), self.size)
+        found = (int(metadata["first"]), len(tensors["rotation"]))
+        if found != wanted:
+            raise SystemExit(f"{self.path(shard)}: expected samples from {wanted[0]} on, {wanted[1]} of them, found "
+                             f"{found[0]}, {found[1]}; start in another work folder")
+
     def load(self, shard):
         self.start(shard)
         self.finish(shard)
         tensors, metadata = read_samples(self.path(shard))
+        self.check_is_ours(shard, tensors, metadata)
         for asset in json.loads(metadata["assets"]):
             self.assets[asset["name"]] = asset["hash"]
         # Copied: the file is gone before the samples are.

@@ -3,6 +3,7 @@
 """Trains a learned descriptor on our own pictures and writes its weights (scripts/learn.sh)."""
 
 import argparse
+import ctypes
 import dataclasses
 import io
 import json
@@ -16,6 +17,7 @@ import torch
 import export
 import losses
 import safetensors
+import starting_weights
 from measure import Measurement, tell
 from net import Net, multiplications
 from recipe import Recipe
@@ -28,6 +30,8 @@ CALIBRATION = 4096
 ALL_MEASURED = 4  # times within a training
 MAKING_LEAVES = 0.85  # of the processors' time, while shards are made beside
 
+RECIPE_OPTIONS = ("layers", "size", "seed", "crops", "batch", "parts", "shard", "rate")
+
 
 class Trainer:
     def __init__(self, recipe, device):
@@ -38,6 +42,12 @@ class Trainer:
         self.replicas = Replicas(self.net, losses.Losses(recipe.weights, device), recipe, device)
         self.optimizer = torch.optim.AdamW(self.net.parameters(), recipe.rate, weight_decay=recipe.decay)
         self.round = self.step = 0
+        self.started_from = None  # what is known of the weights it began with
+
+    def start_from(self, path, crops):
+        starting_weights.put_into(self.net, self.recipe, path, crops)
+        self.started_from = starting_weights.provenance(path)
+        self.replicas.copy_all()
 
     @property
     def round_steps(self):
@@ -63,7 +73,8 @@ class Trainer:
     def save(self, path, assets):
         file = io.BytesIO()
         torch.save({"recipe": self.recipe.json(), "net": self.net.state_dict(), "assets": assets,
-                    "optimizer": self.optimizer.state_dict(), "round": self.round, "step": self.step}, file)
+                    "optimizer": self.optimizer.state_dict(), "round": self.round, "step": self.step,
+                    "started_from": self.started_from}, file)
         safetensors.write_aside(path, file.getvalue())
 
     @staticmethod
@@ -73,7 +84,7 @@ class Trainer:
         trainer.net.load_state_dict(state["net"])
         trainer.optimizer.load_state_dict(state["optimizer"])
         trainer.replicas.copy_all()
-        trainer.round, trainer.step = state["round"], state["step"]
+        trainer.round, trainer.step, trainer.started_from = state["round"], state["step"], state.get("started_from")
         return trainer, state["assets"]
 
 
@@ -125,8 +136,12 @@ def train(trainer, shards, checkpoint, measurement):
 def write_weights(trainer, shards, measurement, path):
     recipe, net = trainer.recipe, trainer.net.to("cpu")
     calibration = {name: shards.held[max(shards.held)][name][:CALIBRATION] for name in recipe.planes}
+    before = trainer.started_from or {"assets": []}
+    seen = {*shards.assets.items(), *((asset["name"], asset["hash"]) for asset in before["assets"])}
     extra = {"seed": str(recipe.seed), "crops_seen": str(trainer.step * recipe.batch),
-             "assets": json.dumps([{"name": name, "hash": hashed} for name, hashed in sorted(shards.assets.items())])}
+             "assets": json.dumps([{"name": name, "hash": hashed} for name, hashed in sorted(seen)])}
+    if trainer.started_from:
+        extra["started_from"] = json.dumps(before)
     tensors, metadata = export.export(net, recipe, calibration, extra)
     if measurement:
         figures = measurement.of_net(net, recipe.planes)
@@ -148,16 +163,26 @@ def measured_speed(recipe, device, batch, seconds=15):
     return steps * recipe.batch / (time.monotonic() - start)
 
 
-def new_trainer(options, shards, device):
+def new_recipe(options):
     weights = {field.name: getattr(options, field.name) for field in dataclasses.fields(losses.Weights)}
-    recipe = Recipe(options.layers, tuple(options.planes.split(",")), options.size, options.seed, options.crops,
-                    options.batch, options.parts, options.shard, options.rate, weights=losses.Weights(**weights))
+    same = {name: getattr(options, name) for name in RECIPE_OPTIONS}
+    recipe = Recipe(planes=tuple(options.planes.split(",")), weights=losses.Weights(**weights), **same)
+    if not options.start:
+        return recipe
+    starting_weights.check_fits(options.start, recipe)
+    return dataclasses.replace(recipe, first=starting_weights.first_unseen(options.start, HELD))
+
+
+def new_trainer(recipe, options, shards, device):
+    pictures = shards.round(0, 1)
     if options.minutes:
-        first = shards.round(0, 1)
-        speed = measured_speed(recipe, device, next(batches(first, recipe.batch, 0)))
+        speed = measured_speed(recipe, device, next(batches(pictures, recipe.batch, 0)))
         recipe = dataclasses.replace(recipe, crops=int(options.minutes * 60 * speed * MAKING_LEAVES))
         print(f"{speed:.0f} crops/s: {recipe.crops} crops in {options.minutes} minutes", flush=True)
-    return Trainer(recipe, device)
+    trainer = Trainer(recipe, device)
+    if options.start:
+        trainer.start_from(options.start, {name: pictures[0][name][:CALIBRATION] for name in recipe.planes})
+    return trainer
 
 
 def parsed():
@@ -170,33 +195,51 @@ def parsed():
     parser.add_argument("--sequences", help="a folder to measure on; none when absent")
     parser.add_argument("--photoreal", help="a folder of photoreal frames of theirs to measure on, too")
     parser.add_argument("--minutes", type=float, help="as many crops as this takes, instead of --crops")
+    parser.add_argument("--start", type=pathlib.Path, help="weights to go on from, instead of random ones")
     parser.add_argument("--planes", default=",".join(recipe.planes))
-    for name in ("layers", "size", "seed", "crops", "batch", "parts", "shard", "rate"):
+    for name in RECIPE_OPTIONS:
         parser.add_argument(f"--{name}", default=getattr(recipe, name), type=type(getattr(recipe, name)))
     for field in dataclasses.fields(losses.Weights):
         parser.add_argument(f"--{field.name.replace('_', '-')}", default=field.default, type=float)
     return parser.parse_args()
 
 
+def keep_memory():
+    """Has tensors' memory used again. Given back to the kernel in between, it would be cleared anew each time:
+    1,770 crops a second instead of 820."""
+    m_trim_threshold, m_top_pad, m_mmap_threshold, m_arena_max = -1, -2, -3, -8
+    mallopt = ctypes.CDLL(None).mallopt
+    for option, value in ((m_arena_max, 1), (m_mmap_threshold, 32 << 20), (m_trim_threshold, (1 << 31) - 1),
+                          (m_top_pad, 128 << 20)):
+        mallopt(option, value)
+
+
+def check_started_from(trainer, options):
+    if options.start and (trainer.started_from or {}).get("sha256") != starting_weights.sha256(options.start):
+        raise SystemExit(f"{options.work}: holds a training that did not start from {options.start}; start in another "
+                         f"work folder")
+
+
 def main():
     options = parsed()
+    keep_memory()
     device = "cuda" if torch.cuda.is_available() else "cpu"
     checkpoint = options.work / "checkpoint.pt"
-    state = Trainer.load(checkpoint, device) if checkpoint.exists() else None
-    shard, planes = (state[0].recipe.shard, state[0].recipe.planes) if state else \
-        (options.shard, options.planes.split(","))
-    shards = Shards(options.program, options.work, planes, shard, options.config)
+    trainer, assets = Trainer.load(checkpoint, device) if checkpoint.exists() else (None, {})
+    recipe = trainer.recipe if trainer else new_recipe(options)
+    shards = Shards(options.program, options.work, recipe.planes, recipe.shard, options.config, recipe.first)
+    shards.assets = assets
     measurement = None
     if options.sequences:
         measurement = Measurement(options.program, options.work, options.sequences, options.photoreal)
     try:
-        if state:
-            trainer, shards.assets = state
+        if trainer:
+            check_started_from(trainer, options)
             print(f"goes on at {trainer.share:.0%}", flush=True)
         else:
-            trainer = new_trainer(options, shards, device)
+            trainer = new_trainer(recipe, options, shards, device)
         layers, size = trainer.recipe.net_layers(), trainer.recipe.size
-        print(f"{multiplications(layers, len(planes), size) / 1e6:.1f} million multiplications, "
+        print(f"{multiplications(layers, len(recipe.planes), size) / 1e6:.1f} million multiplications, "
               f"{sum(p.numel() for p in trainer.net.body.parameters())} numbers", flush=True)
         train(trainer, shards, checkpoint, measurement)
         if not shards.held:  # killed between the last checkpoint and the weights

@@ -4,6 +4,8 @@ numbers do as well as floats.
 
     learn_test.py GRASPDB
 """
+import dataclasses
+import json
 import pathlib
 import sys
 import tempfile
@@ -24,14 +26,16 @@ import export
 import measure
 import retrieval
 import safetensors
+import starting_weights
 import train
 from integer_net import IntegerNet, code_bytes
 from recipe import Recipe
-from shards import Shards
+from shards import HELD, Shards
 
 PROGRAM = sys.argv.pop(1)
 RECIPE = Recipe(layers="4x16/4 3x32 3x64/2 3x64/2", size=64, crops=72_000, batch=128, shard=1500)
 QUERIES = 300
+GLOVE = '[{"name": "glove", "hash": "0"}]'
 
 
 class Learned(unittest.TestCase):
@@ -83,6 +87,46 @@ class Learned(unittest.TestCase):
         few = {name: self.clean[name][:20] for name in RECIPE.planes}
         exact = IntegerNet(tensors, metadata).codes(few)
         numpy.testing.assert_array_equal(exact, IntegerNet(tensors, metadata, export.fast_sums).codes(few))
+
+    def exported(self, name, **extra):
+        path = self.path / name
+        tensors, metadata = export.export(self.trainer.net, RECIPE, self.clean, extra)
+        export.write(path, tensors, metadata)
+        return path, tensors, metadata
+
+    def test_weights_are_gone_on_from(self):
+        path, tensors, metadata = self.exported("before.safetensors", crops_seen=str(RECIPE.crops), assets=GLOVE)
+        goes_on = train.Trainer(RECIPE, "cpu")
+        goes_on.start_from(path, self.clean)
+        codes = measure.codes_of(goes_on.net, self.clean, RECIPE.planes)
+        likeness = (codes * export.integer_codes(tensors, metadata, self.clean)).sum(1)
+        self.assertGreater(likeness.mean().item(), 0.99)
+        goes_on.save(self.path / "checkpoint.pt", {})
+        again, _ = train.Trainer.load(self.path / "checkpoint.pt", "cpu")
+        train.write_weights(again, self.shards, None, self.path / "after.safetensors")
+        after = safetensors.read(self.path / "after.safetensors")[1]
+        self.assertEqual(json.loads(after["started_from"])["recipe"], json.loads(RECIPE.json()))
+        self.assertLessEqual({"glove", *self.shards.assets}, {asset["name"] for asset in json.loads(after["assets"])})
+
+    def test_goes_on_with_the_first_picture_that_no_round_held(self):
+        # 72,000 crops in rounds of 3 x 1500, of which 4480 make whole batches: 17 rounds of 19 shards.
+        path, *_ = self.exported("seen.safetensors", crops_seen=str(72_000 // 4480 * 4480 + 1), assets="[]")
+        self.assertEqual(starting_weights.first_unseen(path, HELD), 19 * RECIPE.shard)
+
+    def test_weights_of_another_net_are_not_gone_on_from(self):
+        path, *_ = self.exported("other.safetensors", crops_seen="1", assets="[]")
+        with self.assertRaisesRegex(SystemExit, "size: expected 128, found 64"):
+            starting_weights.check_fits(path, dataclasses.replace(RECIPE, size=128))
+        path, *_ = self.exported("nameless.safetensors")
+        with self.assertRaisesRegex(SystemExit, "crops_seen: expected"):
+            starting_weights.check_fits(path, RECIPE)
+        path, *_ = self.exported("older.safetensors", format_version="1")
+        with self.assertRaisesRegex(SystemExit, "format_version: expected 2, found 1"):
+            starting_weights.check_fits(path, RECIPE)
+
+    def test_pictures_of_another_training_are_refused(self):
+        with self.assertRaisesRegex(SystemExit, "start in another work folder"):
+            Shards(PROGRAM, self.path, RECIPE.planes, RECIPE.shard, first=1).load(max(self.shards.held))
 
     def test_the_program_gives_the_same_codes(self):
         tensors, metadata = export.export(self.trainer.net, RECIPE, self.clean, {})
