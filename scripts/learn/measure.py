@@ -39,12 +39,13 @@ def outputs_of(net, samples, planes, device="cpu"):
 
 
 class Frames:
-    """Frames of sequences, with their truth."""
+    """Frames of sequences, or drawn pictures, with their truth."""
 
     def __init__(self, samples):
         self.samples = samples
         self.truth = retrieval.labels_of(samples)
-        self.sequence = torch.as_tensor(numpy.array(samples["sequence"]))
+        alone = numpy.zeros(len(samples["rotation"]), numpy.int32)
+        self.sequence = torch.as_tensor(numpy.array(samples.get("sequence", alone)))
 
     def figures(self, answer):
         return retrieval.summary(retrieval.errors(answer, self.truth), self.sequence)
@@ -53,13 +54,15 @@ class Frames:
 class Measurement:
     """Frames and references, made once and kept in the work folder."""
 
-    def __init__(self, program, folder, sequences, photoreal=None, references=REFERENCES):
+    def __init__(self, program, folder, sequences=None, photoreal=None, references=REFERENCES):
         folder = pathlib.Path(folder)
         self.references = made(program, folder / "references.safetensors",
                                ["--config", HERE / "references.toml", "--count", references])
         self.labels = retrieval.labels_of(self.references)
         of_sequences = ["--sequences", sequences]
-        self.frames = {"": Frames(made(program, folder / "frames.safetensors", of_sequences))}
+        self.frames = {}
+        if sequences:
+            self.frames[""] = Frames(made(program, folder / "frames.safetensors", of_sequences))
         if photoreal:
             self.frames["photoreal, "] = Frames(made(program, folder / "photoreal.safetensors",
                                                      [*of_sequences, "--photoreal", photoreal]))

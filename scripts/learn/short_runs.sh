@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What each way in which the training pictures vary is worth, and how far seeds differ: trainings on 360,000
 # pictures each, some five minutes of two cores, one after the other. Runs that are there are not run again.
-#   scripts/learn/short_runs.sh OUT      writes OUT/NAME.safetensors and OUT/NAME.log, then a table of all
+#   scripts/learn/short_runs.sh OUT      writes OUT/NAME.safetensors and OUT/NAME.log, then tables of all
 set -euo pipefail
 out=$(realpath -m "${1:?usage: scripts/learn/short_runs.sh OUT}")
 cd "$(dirname "$0")/../.."
@@ -13,6 +13,10 @@ run() { # NAME [KEY=VALUE of the samples' configuration ...] [-- OPTIONS of trai
     [ ! -f "$out/$name.safetensors" ] || return 0
     mkdir -p "$work"
     : >"$work/config.toml"
+    # What is measured on is made once.
+    for made in "$out"/all.safetensors.work/{references,frames,photoreal}.safetensors; do
+        [ ! -f "$made" ] || [ -f "$work/${made##*/}" ] || ln "$made" "$work/"
+    done
     while [ $# -gt 0 ] && [ "$1" != -- ]; do echo "$1" >>"$work/config.toml" && shift; done
     scripts/learn.sh --out "$out/$name.safetensors" --crops 360000 --config "$work/config.toml" \
         --photoreal sequences/photoreal/train "${@:2}" |& tee "$out/$name.log"
@@ -35,4 +39,13 @@ run no-occluders occluders=0
 run scene -- --planes gray,mask,scene
 run bytes-64 -- --size 64
 run no-contrast -- --contrast 0
+unseen="03 09 15 21 27 33"
+run unseen-grasps 'leave_out=[3, 9, 15, 21, 27, 33]'
 /usr/bin/python3 -B scripts/learn/tell_runs.py "$out"/*.safetensors
+
+echo "Pictures of grasps $unseen alone, which unseen-grasps has never seen and whose rows are among the references:"
+mkdir -p "$out/unseen/grasps"
+for number in $unseen; do cp grasps/"$number"_*.toml "$out/unseen/grasps"; done
+printf '%s\n' 'grasps="grasps"' held=1 true_masks=1 occluders=0 >"$out/unseen/queries.toml"
+/usr/bin/python3 -B scripts/learn/measure_weights.py --program build/release/cli/graspdb --work "$out/unseen" \
+    --config "$out/unseen/queries.toml" "$out"/{all,seed-1,seed-2,unseen-grasps}.safetensors
