@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "candidate.h"
 #include "graspdb/core/error.h"
@@ -38,6 +40,7 @@ double Tracker::log_prior(const PoseVector& pose) const {
     return log_gaussian((pose - previous_.front().pose).squaredNorm(), options_.sigma_pose);
   }
   std::vector<double> terms;
+  terms.reserve(previous_.size());
   for (const Candidate& before : previous_) {
     terms.push_back(before.log_weight +
                     log_gaussian((pose - before.pose).squaredNorm(), options_.bandwidth));
@@ -48,13 +51,24 @@ double Tracker::log_prior(const PoseVector& pose) const {
   return largest + std::log(sum);
 }
 
+// Their order is sorted first: they are too large to be moved again and again.
+void Tracker::put_heaviest_first(std::vector<Candidate>& candidates) {
+  std::vector<std::size_t> order(candidates.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return candidates[a].log_weight > candidates[b].log_weight;
+  });
+  std::vector<Candidate> sorted;
+  sorted.reserve(candidates.size());
+  for (const std::size_t i : order) sorted.push_back(candidates[i]);
+  candidates = std::move(sorted);
+}
+
 // Multiplies in the prior, normalises, and puts the heaviest first.
 void Tracker::weigh(std::vector<Candidate>& candidates) const {
   GRASPDB_CHECK(!candidates.empty());
   for (Candidate& candidate : candidates) candidate.log_weight += log_prior(candidate.pose);
-  std::stable_sort(
-      candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.log_weight > b.log_weight; });
+  put_heaviest_first(candidates);
   const double largest = candidates.front().log_weight;
   double sum = 0;
   for (const Candidate& candidate : candidates) sum += std::exp(candidate.log_weight - largest);

@@ -122,6 +122,7 @@ std::vector<Tracker::Candidate> Tracker::look_up(const std::vector<Neighbor>& ne
                                                  const Box& box, const Intrinsics& camera) const {
   fetch_labels(database_, neighbors);
   std::vector<Candidate> candidates;
+  candidates.reserve(neighbors.size());
   const double nearest = neighbors.front().squared_distance;
   for (const Neighbor& neighbor : neighbors) {
     check_row(neighbor.row);
@@ -151,6 +152,7 @@ void Tracker::answer(const std::vector<Candidate>& candidates, const Candidate& 
   estimate.grasp = database_.grasp(best.row);
   estimate.step = database_.step(best.row);
   estimate.angles = best.angles;
+  estimate.hypotheses.reserve(candidates.size());
   for (const Candidate& candidate : candidates) {
     estimate.hypotheses.push_back({candidate.row, candidate.weight});
     if (database_.grasp(candidate.row) == estimate.grasp)

@@ -158,6 +158,7 @@ class Tracker {
                                  const Intrinsics& camera) const;
   void check_row(std::uint32_t row) const;
   double log_prior(const PoseVector& pose) const;
+  static void put_heaviest_first(std::vector<Candidate>& candidates);
   void weigh(std::vector<Candidate>& candidates) const;
   Candidate merged(const std::vector<Candidate>& candidates, DescriptorView query) const;
   void answer(const std::vector<Candidate>& candidates, const Candidate& best,
