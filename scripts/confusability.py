@@ -42,15 +42,20 @@ def pose_of(columns):
     return columns["grasp"].astype(numpy.int64) * 256 + columns["step"]
 
 
+def descriptors_of(columns):
+    """What is searched: the codes of a learned descriptor where there are any."""
+    return columns.get("embedding", columns["hog"])
+
+
 def nearest_rows(database, queries, k):
     """[Q, k]: each query's nearest rows of another pose, ties to the smaller row number."""
-    hog, pose = database.columns["hog"], pose_of(database.columns)
+    rows, pose = descriptors_of(database.columns), pose_of(database.columns)
     best = numpy.full((len(queries), k), numpy.iinfo(numpy.int64).max)
     for start in range(0, database.rows, BLOCK):
         block = slice(start, min(start + BLOCK, database.rows))
         for first in range(0, len(queries), QUERIES):
             part = slice(first, first + QUERIES)
-            found = keys(hog, queries[part], block)
+            found = keys(rows, queries[part], block)
             found[pose[queries[part], None] == pose[None, block]] = numpy.iinfo(numpy.int64).max
             both = numpy.concatenate([best[part], found], axis=1)
             best[part] = numpy.partition(both, k - 1, axis=1)[:, :k]
@@ -59,12 +64,12 @@ def nearest_rows(database, queries, k):
     return numpy.sort(best, axis=1) % (1 << 32)
 
 
-def keys(hog, queries, block):
+def keys(rows, queries, block):
     """Squared distance and row number in one whole number, so that its order is theirs.
 
     Sums of products of bytes below 2^24 are whole numbers that single precision holds exactly.
     """
-    a, b = hog[queries].astype(numpy.float64), hog[block].astype(numpy.float64)
+    a, b = rows[queries].astype(numpy.float64), rows[block].astype(numpy.float64)
     squares_a, squares_b = (a * a).sum(1), (b * b).sum(1)
     if max(squares_a.max(), squares_b.max()) < 1 << 24:
         a, b = a.astype(numpy.float32), b.astype(numpy.float32)

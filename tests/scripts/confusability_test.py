@@ -24,8 +24,8 @@ def small_database(rows=300, low=0, top=256):
     return types.SimpleNamespace(columns=columns, rows=rows, grasps=grasps, steps=5)
 
 
-def plain_nearest(database, row, k):
-    hog = database.columns["hog"].astype(int)
+def plain_nearest(database, row, k, column="hog"):
+    hog = database.columns[column].astype(int)
     pose = list(zip(database.columns["grasp"], database.columns["step"]))
     others = [r for r in range(database.rows) if pose[r] != pose[row]]
     return sorted(others, key=lambda r: (((hog[r] - hog[row]) ** 2).sum(), r))[:k]
@@ -40,6 +40,14 @@ class Confusability(unittest.TestCase):
             nearest = confusability.nearest_rows(database, queries, 5)
             for row, found in zip(queries, nearest):
                 self.assertEqual(plain_nearest(database, row, 5), list(found))
+
+    def test_codes_are_compared_where_there_are_any(self):
+        database = small_database()
+        database.columns["embedding"] = numpy.random.default_rng(2).integers(0, 256, (300, 64), dtype="u1")
+        queries = confusability.sample_rows(database, 10, 0)
+        nearest = confusability.nearest_rows(database, queries, 5)
+        for row, found in zip(queries, nearest):
+            self.assertEqual(plain_nearest(database, row, 5, "embedding"), list(found))
 
     def test_only_closed_hands_are_asked_for(self):
         database = small_database()
