@@ -88,8 +88,8 @@ void CodeTable::scan_batch(const Query& head, const Query& tail, std::size_t sta
 }
 
 // `squared` are the distances by the heads.
-void CodeTable::offer_block(const Query& tail, std::size_t start, std::span<std::int32_t> squared,
-                            TopK& best) const {
+void CodeTable::offer_block(const Query& tail, std::size_t start,
+                            std::span<const std::int32_t> squared, TopK& best) const {
   std::array<std::int32_t, kCodeBlock> rest{};
   std::array<bool, 1> near;
   if (tail_.length > 0)

@@ -48,7 +48,7 @@ class CodeTable {
   };
 
   void scan_batch(const Query& head, const Query& tail, std::size_t start, TopK& best) const;
-  void offer_block(const Query& tail, std::size_t start, std::span<std::int32_t> squared,
+  void offer_block(const Query& tail, std::size_t start, std::span<const std::int32_t> squared,
                    TopK& best) const;
 
   std::size_t rows_, dimensions_, head_dimensions_;

@@ -21,14 +21,13 @@ constexpr std::size_t kSample = 8192;  // rows that the directions are fitted to
 constexpr std::size_t kBatch = 512;    // rows whose codes are worked out at once
 constexpr std::size_t kShortened = 4;  // by this factor codes are shorter than descriptors
 
-void check_options(const ScanOptions& options) {
+void check_options(int dimensions, int rerank) {
   const auto refuse = [](const char* option, const char* expected, int found) {
     throw Error({.key = option, .expected = expected, .found = fmt::format("{}", found)});
   };
-  const int dimensions = options.dimensions.value_or(2);
   if (dimensions < 2 || dimensions > kDescriptorSize || dimensions % 2 != 0)
     refuse("dimensions", "an even number, 2 to 512", dimensions);
-  if (options.rerank < 1) refuse("rerank", "at least 1", options.rerank);
+  if (rerank < 1) refuse("rerank", "at least 1", rerank);
 }
 
 class ScanSearch : public Search {
@@ -97,9 +96,9 @@ class ScanSearch : public Search {
 }  // namespace
 
 std::unique_ptr<Search> make_scan_search(const Database& database, const ScanOptions& options) {
-  check_options(options);
   const DescriptorTable rows = database.descriptors();
   const int dimensions = options.dimensions.value_or(static_cast<int>(rows.size / kShortened));
+  check_options(dimensions, options.rerank);
   if (static_cast<std::size_t>(dimensions) >= rows.size) return make_exact_search(database);
   return std::make_unique<ScanSearch>(rows, dimensions, options.rerank);
 }

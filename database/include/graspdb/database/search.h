@@ -46,8 +46,8 @@ std::unique_ptr<Search> make_exact_search(const Database& database);
 // every row, then re-ranks the best by exact distance: reads a quarter of the bytes, and finds
 // nearly the same rows. Making it reads the whole database.
 struct ScanOptions {
-  std::optional<int>
-      dimensions;    // of a code, even, 2 to 512; absent: a quarter of the descriptor's
+  // Of a code, even, 2 to 512; a quarter of the descriptor's when absent.
+  std::optional<int> dimensions;
   int rerank = 400;  // rows that are compared exactly, at least 1; never fewer than 3 k
 };
 // The exact search where descriptors are no longer than such codes. Throws Error that names an
