@@ -59,10 +59,11 @@ class Measurement:
         self.references = made(program, folder / "references.safetensors",
                                ["--config", HERE / "references.toml", "--count", references])
         self.labels = retrieval.labels_of(self.references)
-        of_sequences = ["--sequences", sequences]
         self.frames = {}
-        if sequences:
-            self.frames[""] = Frames(made(program, folder / "frames.safetensors", of_sequences))
+        if not sequences:
+            return
+        of_sequences = ["--sequences", sequences]
+        self.frames[""] = Frames(made(program, folder / "frames.safetensors", of_sequences))
         if photoreal:
             self.frames["photoreal, "] = Frames(made(program, folder / "photoreal.safetensors",
                                                      [*of_sequences, "--photoreal", photoreal]))

@@ -5,7 +5,8 @@ frames of sequences, among drawn references.
 
     measure_weights.py --program GRASPDB --work DIR (--config FILE | --sequences DIR [--photoreal DIR]) WEIGHTS ...
 
---config is that of the samples that are looked for (docs/samples.md). What was drawn is kept in --work.
+--config is that of the samples that are looked for (docs/samples.md); they are drawn each time. References and
+frames are kept in --work.
 """
 
 import argparse
@@ -23,7 +24,9 @@ def measurement_of(options):
     if options.sequences:
         return Measurement(options.program, options.work, options.sequences, options.photoreal)
     measurement = Measurement(options.program, options.work)
-    measurement.frames[""] = Frames(made(options.program, options.work / "queries.safetensors",
+    queries = options.work / "queries.safetensors"
+    queries.unlink(missing_ok=True)  # perhaps of another configuration
+    measurement.frames[""] = Frames(made(options.program, queries,
                                          ["--config", options.config, "--first", UNSEEN, "--count", QUERIES]))
     return measurement
 
@@ -38,6 +41,8 @@ def main():
     parser.add_argument("--photoreal")
     parser.add_argument("weights", nargs="+", type=pathlib.Path)
     options = parser.parse_args()
+    if options.photoreal and not options.sequences:
+        parser.error("--photoreal: only with --sequences")
     measurement = measurement_of(options)
     for path in options.weights:
         tensors, metadata = safetensors.read(path)

@@ -96,6 +96,11 @@ class Shards:
             process.wait()
 
 
+def round_steps(recipe):
+    """How many batches a round has."""
+    return HELD * recipe.shard // recipe.batch
+
+
 def batches(shards, size, seed):
     """Batches in a drawn order; what is left over is left out."""
     count = len(shards[0]["rotation"])

@@ -39,13 +39,13 @@ run no-occluders occluders=0
 run scene -- --planes gray,mask,scene
 run bytes-64 -- --size 64
 run no-contrast -- --contrast 0
-unseen="03 09 15 21 27 33"
-run unseen-grasps 'leave_out=[3, 9, 15, 21, 27, 33]'
+unseen=(3 9 15 21 27 33)
+run unseen-grasps "leave_out=[$(IFS=, && echo "${unseen[*]}")]"
 /usr/bin/python3 -B scripts/learn/tell_runs.py "$out"/*.safetensors
 
-echo "Pictures of grasps $unseen alone, which unseen-grasps has never seen and whose rows are among the references:"
+echo "Pictures of grasps ${unseen[*]} alone, which unseen-grasps has never seen and whose rows are among the references:"
 mkdir -p "$out/unseen/grasps"
-for number in $unseen; do cp grasps/"$number"_*.toml "$out/unseen/grasps"; done
+for number in "${unseen[@]}"; do cp grasps/"$(printf %02d "$number")"_*.toml "$out/unseen/grasps"; done
 printf '%s\n' 'grasps="grasps"' held=1 true_masks=1 occluders=0 >"$out/unseen/queries.toml"
 /usr/bin/python3 -B scripts/learn/measure_weights.py --program build/release/cli/graspdb --work "$out/unseen" \
     --config "$out/unseen/queries.toml" "$out"/{all,seed-1,seed-2,unseen-grasps}.safetensors

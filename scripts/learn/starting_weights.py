@@ -15,8 +15,10 @@ import torch.nn.functional as F
 
 import safetensors
 from export import FORMAT, LARGEST_BYTE
-from integer_net import SHIFT
+from integer_net import SHIFT, IntegerNet
 from net import planes_of
+from recipe import Recipe
+from shards import HELD, round_steps
 
 SMALLEST_VARIANCE = 1e-8
 
@@ -44,27 +46,26 @@ def sha256(path):
     return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
 
 
-def first_unseen(path, held):
-    """Number of the first training picture that these weights have not seen; a round holds `held` shards."""
+def first_unseen(path):
+    """Number of the first training picture that these weights have not seen."""
     _, metadata = read(path)
-    recipe = json.loads(metadata["recipe"])
-    round_crops = held * recipe["shard"] // recipe["batch"] * recipe["batch"]
-    rounds = -(-int(metadata["crops_seen"]) // round_crops)
-    return recipe.get("first", 0) + (rounds - 1 + held) * recipe["shard"]
+    recipe = Recipe.parse(metadata["recipe"])
+    rounds = -(-int(metadata["crops_seen"]) // (round_steps(recipe) * recipe.batch))
+    return recipe.first + (rounds - 1 + HELD) * recipe.shard
 
 
 def check_fits(path, recipe):
     _, metadata = read(path)
-    theirs = json.loads(metadata["recipe"])
-    for key, ours in (("layers", recipe.layers), ("planes", list(recipe.planes)), ("size", recipe.size)):
-        if theirs[key] != ours:
-            raise SystemExit(f"{path}: {key}: expected {ours}, found {theirs[key]}")
+    theirs = Recipe.parse(metadata["recipe"])
+    for key in ("layers", "planes", "size"):
+        expected, found = getattr(recipe, key), getattr(theirs, key)
+        if found != expected:
+            raise SystemExit(f"{path}: {key}: expected {expected}, found {found}")
 
 
-def convolution(tensors, number):
-    """(weight, bias) of layer `number` on inputs of 0..1, where 1 is what the largest byte stands for."""
-    whole, bias, multiplier = (torch.tensor(tensors[f"layer{number}.{part}"]).double()
-                               for part in ("weight", "bias", "multiplier"))
+def convolution(layer):
+    """(weight, bias) of an IntegerNet's layer on inputs of 0..1, where 1 is what the largest byte stands for."""
+    whole, bias, multiplier = (torch.tensor(values).double() for values in layer[2:])
     step = multiplier / 2 ** SHIFT
     return (whole * step[:, None, None, None]).permute(0, 3, 1, 2).float(), (bias * step / LARGEST_BYTE).float()
 
@@ -72,12 +73,11 @@ def convolution(tensors, number):
 def put_into(net, recipe, path, crops):
     """`crops` are some thousand samples of what the net will see."""
     check_fits(path, recipe)
-    tensors, _ = read(path)
+    convolutions = [convolution(layer) for layer in IntegerNet(*read(path)).layers]
     body, blocks, unit = net.body, list(net.body.blocks), 1.0
     with torch.no_grad():
         planes = planes_of(crops, recipe.planes)
-        for number, (conv, norm, layer) in enumerate(zip(blocks[0::3], blocks[1::3], body.layers)):
-            weight, bias = convolution(tensors, number)
+        for (weight, bias), conv, norm, layer in zip(convolutions, blocks[0::3], blocks[1::3], body.layers):
             sums = F.conv2d(planes, weight * unit, None, layer.stride, layer.padding)
             variance, mean = torch.var_mean(sums, (0, 2, 3), unbiased=False)
             width = variance.clamp(min=SMALLEST_VARIANCE).sqrt()
@@ -89,7 +89,7 @@ def put_into(net, recipe, path, crops):
             norm.bias.copy_((mean + bias) / unit)
             norm.running_mean.copy_(mean / width)
             norm.running_var.fill_(1)
-        weight, bias = convolution(tensors, len(body.layers))
+        weight, bias = convolutions[-1]
         code = F.conv2d(planes, weight * unit, bias)
         body.code.weight.copy_(weight * (unit / code.std()))
         body.code.bias.copy_(bias / code.std())

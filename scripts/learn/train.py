@@ -22,7 +22,7 @@ from measure import Measurement, tell
 from net import Net, multiplications
 from recipe import Recipe
 from replicas import Replicas
-from shards import HELD, Shards, batches
+from shards import Shards, batches, round_steps
 
 CHECKPOINT_S = 300
 TOLD_S = 20
@@ -51,7 +51,7 @@ class Trainer:
 
     @property
     def round_steps(self):
-        return HELD * self.recipe.shard // self.recipe.batch
+        return round_steps(self.recipe)
 
     @property
     def rounds(self):
@@ -170,7 +170,7 @@ def new_recipe(options):
     if not options.start:
         return recipe
     starting_weights.check_fits(options.start, recipe)
-    return dataclasses.replace(recipe, first=starting_weights.first_unseen(options.start, HELD))
+    return dataclasses.replace(recipe, first=starting_weights.first_unseen(options.start))
 
 
 def new_trainer(recipe, options, shards, device):

@@ -25,10 +25,10 @@ def small_database(rows=300, low=0, top=256):
 
 
 def plain_nearest(database, row, k, column="hog"):
-    hog = database.columns[column].astype(int)
+    codes = database.columns[column].astype(int)
     pose = list(zip(database.columns["grasp"], database.columns["step"]))
     others = [r for r in range(database.rows) if pose[r] != pose[row]]
-    return sorted(others, key=lambda r: (((hog[r] - hog[row]) ** 2).sum(), r))[:k]
+    return sorted(others, key=lambda r: (((codes[r] - codes[row]) ** 2).sum(), r))[:k]
 
 
 class Confusability(unittest.TestCase):

@@ -30,7 +30,7 @@ import starting_weights
 import train
 from integer_net import IntegerNet, code_bytes
 from recipe import Recipe
-from shards import HELD, Shards
+from shards import Shards
 
 PROGRAM = sys.argv.pop(1)
 RECIPE = Recipe(layers="4x16/4 3x32 3x64/2 3x64/2", size=64, crops=72_000, batch=128, shard=1500)
@@ -111,7 +111,7 @@ class Learned(unittest.TestCase):
     def test_goes_on_with_the_first_picture_that_no_round_held(self):
         # 72,000 crops in rounds of 3 x 1500, of which 4480 make whole batches: 17 rounds of 19 shards.
         path, *_ = self.exported("seen.safetensors", crops_seen=str(72_000 // 4480 * 4480 + 1), assets="[]")
-        self.assertEqual(starting_weights.first_unseen(path, HELD), 19 * RECIPE.shard)
+        self.assertEqual(starting_weights.first_unseen(path), 19 * RECIPE.shard)
 
     def test_weights_of_another_net_are_not_gone_on_from(self):
         path, *_ = self.exported("other.safetensors", crops_seen="1", assets="[]")
