@@ -14,7 +14,7 @@
 namespace graspdb {
 namespace {
 
-constexpr double kLargestCell = 0.003;   // metres
+constexpr double kLargestCell = 0.001;   // metres
 constexpr double kTrianglesInACell = 8;  // about, of many small ones
 
 // Adds the middles of the longest edges until none is longer than `spacing`.
