@@ -10,12 +10,18 @@ scripts/install.sh
 scripts/install.sh python3-torch # of no use to anything but the test of scripts/learn
 # The one hand that nobody here made: its tests are skipped where npm cannot fetch it.
 scripts/fetch_hands.sh || echo "WebXR's hands are not here: their tests are skipped"
-for preset in release asan; do
+
+# build_and_test PRESET TARGET ...
+build_and_test() {
+    local preset=$1
+    shift
     echo "== $preset"
     cmake --preset "$preset" >/dev/null
-    # Every public header must compile alone, too.
-    cmake --build --preset "$preset" --target all all_verify_interface_header_sets
+    cmake --build --preset "$preset" --target "$@"
     ctest --preset "$preset" -j "$(nproc)"
-done
+}
+build_and_test release all all_verify_interface_header_sets # every header must compile alone, too
+build_and_test asan all
+
 scripts/lint.sh core features tracker
 scripts/fuzz.sh 5
