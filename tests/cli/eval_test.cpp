@@ -15,6 +15,8 @@
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/sequences/sequence.h"
 #include "program.h"
+#include "support/replaced.h"
+#include "support/source_folder.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -27,7 +29,8 @@ using ::testing::Not;
 using testing::Outcome;
 using testing::run_program;
 
-const fs::path kSource = GRASPDB_SOURCE_DIR;
+using testing::kSource;
+using testing::replaced;
 
 // A tripod, closing, on the male hand, whose closed pose the project keeps; small and short, 14
 // frames.
@@ -88,11 +91,6 @@ std::vector<std::map<std::string, std::string>> read_csv(const fs::path& file) {
     }
   }
   return lines;
-}
-
-// The first of them.
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
 }
 
 class Eval : public ::testing::Test {

@@ -7,6 +7,7 @@
 
 #include "graspdb/core/file.h"
 #include "program.h"
+#include "support/replaced.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -15,15 +16,10 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using testing::Outcome;
+using testing::replaced;
 using testing::run_program;
 using ::testing::StartsWith;
 using testing::TemporaryDirectory;
-
-std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << part;
-  return text.replace(at, part.size(), other);
-}
 
 TEST(GraspNew, TakesTheNextFreeNumberFromAHundred) {
   const TemporaryDirectory folder;

@@ -24,7 +24,7 @@ using testing::TemporaryDirectory;
 using testing::toy_info;
 using testing::toy_rows;
 
-const std::filesystem::path kGolden =
+const std::filesystem::path kGoldenOfCodes =
     std::filesystem::path(GRASPDB_SOURCE_DIR) / "tests/database/golden/v2.graspdb";
 
 class Embeddings : public ::testing::TestWithParam<std::size_t> {
@@ -159,10 +159,10 @@ TEST(Embeddings, OfAnotherSizeOrNoneAreRefused) {
 }
 
 TEST(GoldenDatabase, OfVersion2IsWhatTheWriterWrites) {
-  EXPECT_NO_THROW(verify_database(kGolden));
+  EXPECT_NO_THROW(verify_database(kGoldenOfCodes));
   const TemporaryDirectory directory;
   write_database(directory / "again.graspdb", toy_info(64), toy_rows(3, 64));
-  EXPECT_EQ(read_text(directory / "again.graspdb"), read_text(kGolden));
+  EXPECT_EQ(read_text(directory / "again.graspdb"), read_text(kGoldenOfCodes));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "graspdb/core/file.h"
 #include "graspdb/core/hash.h"
+#include "support/replaced.h"
 
 namespace graspdb::testing {
 
@@ -39,11 +40,6 @@ inline std::string sealed(FileParts parts) {
     parts.header.replace(at + key.size(), 32, hash_hex(parts.header));
   }
   return put_together(parts);
-}
-
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 }  // namespace graspdb::testing

@@ -10,13 +10,14 @@
 #include "graspdb/grasps/closing.h"
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/tracker/tracker.h"
+#include "support/source_folder.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
 namespace {
 
-const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
-constexpr Intrinsics kCamera{
+using testing::kSource;
+constexpr Intrinsics kFrameCamera{
     .width = 640, .height = 480, .fx = 600, .fy = 600, .cx = 319.5, .cy = 239.5};
 
 TEST(EndToEnd, ARowSeenOffTheAxisIsFoundWithItsPoseAndPlace) {
@@ -43,8 +44,8 @@ TEST(EndToEnd, ARowSeenOffTheAxisIsFoundWithItsPoseAndPlace) {
   for (const std::size_t row : {0U, 7U, 19U, 33U}) {
     const Eigen::Matrix3d rotation = turn * unpack_label(database.label(row)).rotation;
     const Eigen::Vector3d wrist = palm - rotation * posed.center;
-    const View view = render(posed.scene, {kCamera, {rotation, wrist}}, config.light);
-    const Estimate estimate = tracker.step({view.shading, visible_hand(view), kCamera});
+    const View view = render(posed.scene, {kFrameCamera, {rotation, wrist}}, config.light);
+    const Estimate estimate = tracker.step({view.shading, visible_hand(view), kFrameCamera});
     ASSERT_TRUE(estimate.valid);
     EXPECT_EQ(estimate.row, row);
     EXPECT_LT(degrees(angle_between(estimate.camera_from_hand.rotation, rotation)), 3);

@@ -12,12 +12,13 @@
 #include "graspdb/generator/posed_scene.h"
 #include "graspdb/grasps/closing.h"
 #include "graspdb/hand/rig/rig.h"
+#include "support/source_folder.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
 namespace {
 
-const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
+using testing::kSource;
 constexpr int kViews = 24, kFrames = 15;
 
 class RowsAsFrames : public ::testing::Test {

@@ -4,19 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "features/pictures.h"
 #include "graspdb/core/random.h"
 #include "graspdb/features/segmentation.h"
 
 namespace graspdb {
 namespace {
 
+using testing::area;
+
 constexpr int kWidth = 320, kHeight = 240;
 constexpr Bgr kSkin = {100, 130, 190};
 constexpr Bgr kWall = {120, 120, 120};
-
-std::ptrdiff_t area(const Mask& mask) {
-  return std::count(mask.begin(), mask.end(), 255);
-}
 
 // A palm with an arm that leaves the picture at its lower border.
 Mask palm_and_arm() {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "features/hog_bins.h"
 #include "features/pictures.h"
 #include "graspdb/core/file.h"
 #include "graspdb/features/hog.h"
@@ -16,13 +17,10 @@
 namespace graspdb {
 namespace {
 
+using testing::bin_at;
 using testing::Picture;
 using testing::random_picture;
 using testing::TemporaryDirectory;
-
-int at(const Descriptor& descriptor, int row, int column, int bin) {
-  return descriptor[static_cast<std::size_t>((row * 8 + column) * 8 + bin)];
-}
 
 // An all-hand picture of this function of the pixel.
 template <typename Gray>
@@ -43,7 +41,7 @@ TEST(PaperHog, ATiltedRampFillsTheBinOfItsDirection) {
         drawn(64, 64, [&](int x, int y) { return 128 + c * (x - 32) + s * (y - 32); });
     const Descriptor descriptor = describe(picture.gray, picture.mask, HogMode::kPaper);
     // An inner cell: all 64 pixels are hand and vote alike, but for the grey levels' rounding.
-    EXPECT_GT(at(descriptor, 3, 4, static_cast<int>(angle_deg / 22.5)), 150) << angle_deg;
+    EXPECT_GT(bin_at(descriptor, 3, 4, static_cast<int>(angle_deg / 22.5)), 150) << angle_deg;
   }
 }
 
@@ -53,7 +51,7 @@ TEST(PaperHog, AxisParallelAndDiagonalGradientsStartTheirBins) {
         drawn(64, 64, [&](int x, int y) { return 128 + gx * (x - 32) + gy * (y - 32); });
     const Descriptor descriptor = describe(picture.gray, picture.mask, HogMode::kPaper);
     for (int bin = 0; bin < 8; ++bin) {
-      if (at(descriptor, 3, 3, bin) == 255) return bin;
+      if (bin_at(descriptor, 3, 3, bin) == 255) return bin;
     }
     return -1;
   };
@@ -75,7 +73,8 @@ TEST(PaperHog, AddingABrightnessChangesNoInnerCell) {
                    b = describe(light.gray, light.mask, HogMode::kPaper);
   for (int row = 1; row < 7; ++row) {
     for (int column = 1; column < 7; ++column) {
-      for (int bin = 0; bin < 8; ++bin) EXPECT_EQ(at(a, row, column, bin), at(b, row, column, bin));
+      for (int bin = 0; bin < 8; ++bin)
+        EXPECT_EQ(bin_at(a, row, column, bin), bin_at(b, row, column, bin));
     }
   }
 }
@@ -90,7 +89,7 @@ TEST(PaperHog, HalfATurnPermutesTheCells) {
   for (int row = 0; row < 8; ++row) {
     for (int column = 0; column < 8; ++column) {
       for (int bin = 0; bin < 8; ++bin) {
-        EXPECT_EQ(at(a, row, column, bin), at(b, 7 - row, 7 - column, bin));
+        EXPECT_EQ(bin_at(a, row, column, bin), bin_at(b, 7 - row, 7 - column, bin));
       }
     }
   }
@@ -105,16 +104,16 @@ TEST(PaperHog, ACellWeighsItsShareOfHandPixels) {
   }
   const Descriptor descriptor = describe(picture.gray, picture.mask, HogMode::kPaper);
   int sum = 0;
-  for (int bin = 0; bin < 8; ++bin) sum += at(descriptor, 3, 3, bin);
+  for (int bin = 0; bin < 8; ++bin) sum += bin_at(descriptor, 3, 3, bin);
   EXPECT_NEAR(sum, 127.5, 4);
 }
 
 TEST(PaperHog, AFlatHandVotesOnlyAtItsOutline) {
   const Descriptor descriptor =
       describe(GrayImage(64, 64, 130), Mask(64, 64, 255), HogMode::kPaper);
-  for (int bin = 0; bin < 8; ++bin) EXPECT_EQ(at(descriptor, 3, 3, bin), 0);
-  EXPECT_EQ(at(descriptor, 3, 0, 0), 255);  // the left side: a horizontal gradient
-  EXPECT_EQ(at(descriptor, 0, 3, 4), 255);
+  for (int bin = 0; bin < 8; ++bin) EXPECT_EQ(bin_at(descriptor, 3, 3, bin), 0);
+  EXPECT_EQ(bin_at(descriptor, 3, 0, 0), 255);  // the left side: a horizontal gradient
+  EXPECT_EQ(bin_at(descriptor, 0, 3, 4), 255);
 }
 
 // The pictures that the reference describes too: boxes smaller than a cell grid, not divisible by

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "graspdb/core/image.h"
 #include "graspdb/core/random.h"
 
 namespace graspdb::testing {
+
+inline int area(const Mask& mask) {
+  return static_cast<int>(std::count(mask.begin(), mask.end(), 255));
+}
 
 struct Picture {
   GrayImage gray;

@@ -7,14 +7,13 @@
 #include <cmath>
 #include <vector>
 
+#include "features/pictures.h"
 #include "graspdb/core/random.h"
 
 namespace graspdb {
 namespace {
 
-int area(const Mask& mask) {
-  return static_cast<int>(std::count(mask.begin(), mask.end(), 255));
-}
+using testing::area;
 
 template <typename Pixel>
 void fill(Image<Pixel>& image, const Box& box, Pixel value) {

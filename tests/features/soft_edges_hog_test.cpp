@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "features/hog_bins.h"
 #include "features/pictures.h"
 #include "graspdb/features/hog.h"
 #include "graspdb/renderer/renderer.h"
@@ -12,13 +13,10 @@
 namespace graspdb {
 namespace {
 
+using testing::bin_at;
 using testing::Picture;
 
 constexpr HogMode kEdges = HogMode::kSoftEdges;
-
-int at(const Descriptor& descriptor, int row, int column, int bin) {
-  return descriptor[static_cast<std::size_t>((row * 8 + column) * 8 + bin)];
-}
 
 double distance(const Descriptor& a, const Descriptor& b) {
   double sum = 0;
@@ -30,11 +28,11 @@ TEST(EdgesHog, OutlinesVoteForTheirOrientationWhateverTheLight) {
   for (const int gray : {20, 100, 250}) {
     const Descriptor d =
         describe(GrayImage(96, 80, static_cast<std::uint8_t>(gray)), Mask(96, 80, 255), kEdges);
-    EXPECT_GT(at(d, 4, 0, 0), 150);  // the left and right sides
-    EXPECT_GT(at(d, 4, 7, 0), 150);
-    EXPECT_GT(at(d, 0, 4, 4), 150);  // top and bottom
-    EXPECT_GT(at(d, 7, 4, 4), 150);
-    for (int bin = 0; bin < 8; ++bin) EXPECT_EQ(at(d, 4, 4, bin), 0);
+    EXPECT_GT(bin_at(d, 4, 0, 0), 150);  // the left and right sides
+    EXPECT_GT(bin_at(d, 4, 7, 0), 150);
+    EXPECT_GT(bin_at(d, 0, 4, 4), 150);  // top and bottom
+    EXPECT_GT(bin_at(d, 7, 4, 4), 150);
+    for (int bin = 0; bin < 8; ++bin) EXPECT_EQ(bin_at(d, 4, 4, bin), 0);
   }
 }
 
@@ -49,9 +47,9 @@ TEST(EdgesHog, AnEdgeBetweenTwoBinsVotesForBoth) {
     }
   }
   const Descriptor d = describe(picture.gray, picture.mask, kEdges);
-  EXPECT_GT(at(d, 4, 4, 1), 80);
-  EXPECT_NEAR(at(d, 4, 4, 1), at(d, 4, 4, 2), 12);
-  EXPECT_LT(std::max(at(d, 4, 4, 4), at(d, 4, 4, 6)), 20);
+  EXPECT_GT(bin_at(d, 4, 4, 1), 80);
+  EXPECT_NEAR(bin_at(d, 4, 4, 1), bin_at(d, 4, 4, 2), 12);
+  EXPECT_LT(std::max(bin_at(d, 4, 4, 4), bin_at(d, 4, 4, 6)), 20);
 }
 
 TEST(EdgesHog, AnEdgeBetweenTwoCellsVotesForBoth) {
@@ -63,10 +61,10 @@ TEST(EdgesHog, AnEdgeBetweenTwoCellsVotesForBoth) {
     return describe(picture.gray, picture.mask, kEdges);
   };
   const Descriptor between = step_at(32), inside = step_at(36);
-  EXPECT_GT(at(between, 3, 3, 0), 80);
-  EXPECT_EQ(at(between, 3, 3, 0), at(between, 3, 4, 0));
-  EXPECT_GT(at(inside, 3, 4, 0), at(between, 3, 4, 0));
-  EXPECT_LT(at(inside, 3, 3, 0), at(inside, 3, 4, 0) / 2);
+  EXPECT_GT(bin_at(between, 3, 3, 0), 80);
+  EXPECT_EQ(bin_at(between, 3, 3, 0), bin_at(between, 3, 4, 0));
+  EXPECT_GT(bin_at(inside, 3, 4, 0), bin_at(between, 3, 4, 0));
+  EXPECT_LT(bin_at(inside, 3, 3, 0), bin_at(inside, 3, 4, 0) / 2);
 }
 
 TEST(EdgesHog, ExposureAndFaintShadingDoNotMatter) {

@@ -13,6 +13,7 @@
 #include "graspdb/grasps/closing.h"
 #include "graspdb/hand/rig/rig.h"
 #include "small_build.h"
+#include "support/source_folder.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -20,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
+using testing::kSource;
 
 using testing::small_config;
 

@@ -7,6 +7,7 @@
 #include "graspdb/database/database.h"
 #include "graspdb/generator/generator.h"
 #include "small_build.h"
+#include "support/source_folder.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -17,7 +18,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const fs::path kSource = GRASPDB_SOURCE_DIR;
+using testing::kSource;
 
 class DataCard : public ::testing::Test {
  protected:

@@ -289,12 +289,12 @@ TEST_F(Shards, AConfigurationMayHoldPathsOfAnyText) {
 }
 
 TEST_F(Shards, AConfigurationThatIsNoneIsRefused) {
-  const auto refusal_of = [&](const std::string& json) {
-    write_text(directory_ / "wrong.json", json);
+  const auto refusal_of = [&](const std::string& text) {
+    write_text(directory_ / "wrong.json", text);
     return refusal([&] { load_config(directory_ / "wrong.json"); });
   };
-  for (const char* json : {"null", "3", "[1]", "\"grasps\"", "{\"views\": }", ""}) {
-    EXPECT_THAT(refusal_of(json), HasSubstr("wrong.json: 'config'")) << json;
+  for (const char* text : {"null", "3", "[1]", "\"grasps\"", "{\"views\": }", ""}) {
+    EXPECT_THAT(refusal_of(text), HasSubstr("wrong.json: 'config'")) << text;
   }
   const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
   EXPECT_THAT(refusal_of("{\"only\": " + deep + "}"), HasSubstr("deeper"));
@@ -306,10 +306,10 @@ TEST_F(Shards, AConfigurationThatIsNoneIsRefused) {
 
 TEST_F(Shards, AStoredConfigurationThatLacksAnOptionIsRefused) {
   const auto without = [&](const std::string& text) {
-    std::string json = config_to_json(config_);
-    const std::size_t at = json.find(text);
+    std::string stored = config_to_json(config_);
+    const std::size_t at = stored.find(text);
     EXPECT_NE(at, std::string::npos) << text;
-    write_text(directory_ / "less.json", json.erase(at, text.size()));
+    write_text(directory_ / "less.json", stored.erase(at, text.size()));
     return refusal([&] { load_config(directory_ / "less.json"); });
   };
   EXPECT_THAT(without("\"steps\":2,"), HasSubstr("less.json: 'config.steps'"));

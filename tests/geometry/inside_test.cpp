@@ -12,7 +12,7 @@
 namespace graspdb {
 namespace {
 
-Eigen::Vector3d random_point(RandomStream& random, double reach) {
+Eigen::Vector3d point_within(RandomStream& random, double reach) {
   return {random.uniform(-reach, reach), random.uniform(-reach, reach),
           random.uniform(-reach, reach)};
 }
@@ -23,7 +23,7 @@ TEST(Inside, InsideTestAgreesWithTheSolid) {
     const InsideTest inside(solid->mesh());
     RandomStream random(1);
     for (int i = 0; i < 2000; ++i) {
-      const Eigen::Vector3d p = random_point(random, 0.035);
+      const Eigen::Vector3d p = point_within(random, 0.035);
       if (std::abs(solid->distance(p)) < 1e-4) continue;  // within the facets' depth
       EXPECT_EQ(inside.depth_along_z(p) > 0, solid->distance(p) < 0);
       EXPECT_GE(inside.depth_along_z(p), -solid->distance(p) - 1e-4);
@@ -65,7 +65,7 @@ TEST(Inside, DistanceToTrianglesAgreesWithTheSolid) {
   const auto box = make_box({0.05, 0.04, 0.03});
   RandomStream random(2);
   for (int i = 0; i < 500; ++i) {
-    const Eigen::Vector3d p = random_point(random, 0.05);
+    const Eigen::Vector3d p = point_within(random, 0.05);
     EXPECT_NEAR(distance_to_triangles(box->mesh(), box->mesh().triangles, p, 1),
                 std::abs(box->distance(p)), 1e-8);
   }

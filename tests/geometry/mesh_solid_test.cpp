@@ -28,7 +28,7 @@ Eigen::Vector3d random_point(RandomStream& random, const Eigen::Vector3d& reach)
 }
 
 // A tetrahedron with its doors open for damage.
-Mesh tetrahedron() {
+Mesh tiny_tetrahedron() {
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {0.02F, 0, 0}, {0, 0.02F, 0}, {0, 0, 0.02F}};
   mesh.normals.assign(4, Eigen::Vector3f::UnitX());
@@ -207,7 +207,7 @@ TEST(LargeMesh, DistancesAreThoseOfTheBallNearAndFar) {
 }
 
 TEST(LargeMesh, RefusesMoreThanTwoMillionTriangles) {
-  Mesh mesh = tetrahedron();
+  Mesh mesh = tiny_tetrahedron();
   mesh.triangles.resize(2000001, {0, 1, 2});
   EXPECT_THAT(refusal(mesh), HasSubstr("found 2000001"));
 }
@@ -240,39 +240,39 @@ TEST(MeshSolid, ItsMiddleIsTheOrigin) {
 }
 
 TEST(MeshSolid, RefusesOpenSurfacesAndSaysHowOpen) {
-  EXPECT_EQ(refusal(tetrahedron()), "accepted");
-  Mesh open = tetrahedron();
+  EXPECT_EQ(refusal(tiny_tetrahedron()), "accepted");
+  Mesh open = tiny_tetrahedron();
   open.triangles.pop_back();
   EXPECT_THAT(refusal(open), HasSubstr("expected a watertight surface, found 3 open edges"));
 }
 
 TEST(MeshSolid, RefusesTrianglesThatFaceTheWrongWay) {
-  Mesh mesh = tetrahedron();
+  Mesh mesh = tiny_tetrahedron();
   std::swap(mesh.triangles[2][0], mesh.triangles[2][1]);
   EXPECT_THAT(refusal(mesh), HasSubstr("3 edges where they disagree"));
-  mesh = tetrahedron();
+  mesh = tiny_tetrahedron();
   for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
   EXPECT_THAT(refusal(mesh), HasSubstr("inside out"));
 }
 
 TEST(MeshSolid, SaysWhichTrianglesAreThereTwice) {
-  Mesh doubled = tetrahedron();
+  Mesh doubled = tiny_tetrahedron();
   doubled.triangles.push_back({3, 0, 1});
   doubled.triangles.push_back({0, 2, 1});
   EXPECT_THAT(refusal(doubled), HasSubstr("every triangle once, found 2 that are there again"));
-  Mesh two_sided = tetrahedron();
-  for (const Triangle& t : tetrahedron().triangles)
+  Mesh two_sided = tiny_tetrahedron();
+  for (const Triangle& t : tiny_tetrahedron().triangles)
     two_sided.triangles.push_back({t[0], t[2], t[1]});
   EXPECT_THAT(refusal(two_sided), HasSubstr("found 4 that are there again"));
   // A sheet that is drawn from both sides has no edge with more than two triangles too many.
-  Mesh sheet = tetrahedron();
+  Mesh sheet = tiny_tetrahedron();
   sheet.triangles = {{0, 1, 2}, {0, 2, 1}, {1, 2, 3}, {1, 3, 2}};
   EXPECT_THAT(refusal(sheet), HasSubstr("found 2 that are there again"));
 }
 
 TEST(MeshSolid, SaysAtHowManyEdgesPartsTouch) {
   // Two tetrahedra that share an edge.
-  Mesh touching = tetrahedron();
+  Mesh touching = tiny_tetrahedron();
   touching.vertices.insert(touching.vertices.end(), {{0, -0.02F, 0}, {0.01F, -0.01F, -0.02F}});
   touching.normals.assign(6, Eigen::Vector3f::UnitX());
   for (const Triangle t :

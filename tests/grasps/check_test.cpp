@@ -6,6 +6,7 @@
 
 #include "graspdb/grasps/closing.h"
 #include "graspdb/hand/rig/rig.h"
+#include "support/source_folder.h"
 
 namespace graspdb {
 namespace {
@@ -16,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-const std::filesystem::path kGrasps = GRASPDB_SOURCE_DIR "/grasps";
+using testing::kGrasps;
 
 const Hand& male() {
   static const Hand hand = load_hand(GRASPDB_SOURCE_DIR "/assets/hands/male.glb");

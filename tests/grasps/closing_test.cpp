@@ -6,6 +6,7 @@
 
 #include "graspdb/core/file.h"
 #include "graspdb/hand/rig/rig.h"
+#include "support/source_folder.h"
 #include "support/temporary_directory.h"
 #include "support/toy_hand.h"
 
@@ -16,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::filesystem::path kGrasps = GRASPDB_SOURCE_DIR "/grasps";
+using testing::kGrasps;
 
 TEST(Closing, ToyHandHoldsABallWithoutEnteringItAndInsideTheRanges) {
   const Hand hand = testing::toy_hand();

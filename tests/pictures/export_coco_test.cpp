@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-constexpr int kSide = 96;
+constexpr int kResolution = 96;
 
 std::vector<std::size_t> all_rows() {
   std::vector<std::size_t> rows(testing::small_database().rows());
@@ -62,7 +62,7 @@ class Coco : public ::testing::Test {
   static void SetUpTestSuite() {
     directory_ = new testing::TemporaryDirectory;
     export_coco(testing::small_database(), *directory_ / "coco",
-                {.rows = all_rows(), .resolution = kSide, .amodal = true, .depth = true});
+                {.rows = all_rows(), .resolution = kResolution, .amodal = true, .depth = true});
     coco_ = new json(json::parse(read_text(*directory_ / "coco/annotations.json")));
   }
   static void TearDownTestSuite() {
@@ -157,7 +157,7 @@ TEST_F(Coco, KeypointsAreThePointsInSpaceSeenThroughTheCamera) {
       ++labelled;
       EXPECT_NEAR(k[0] * space[i] / space[i + 2] + k[2], points[i], 0.01);
       EXPECT_NEAR(k[4] * space[i + 1] / space[i + 2] + k[5], points[i + 1], 0.01);
-      EXPECT_TRUE(points[i] > -0.5 && points[i] < kSide - 0.5);
+      EXPECT_TRUE(points[i] > -0.5 && points[i] < kResolution - 0.5);
     }
     EXPECT_EQ(labelled, a.at("num_keypoints"));
     const auto wrist = a.at("graspdb").at("wrist_m").get<std::vector<double>>();
@@ -226,7 +226,7 @@ TEST_F(Coco, TheNumberOfThreadsChangesNoByteAndAFewRowsAreThose) {
   const std::vector<std::size_t> rows = {3, 50, 51};
   for (const int threads : {1, 3}) {
     export_coco(testing::small_database(), *directory_ / std::to_string(threads),
-                {.rows = rows, .resolution = kSide, .threads = threads});
+                {.rows = rows, .resolution = kResolution, .threads = threads});
   }
   EXPECT_EQ(read_text(*directory_ / "1/annotations.json"),
             read_text(*directory_ / "3/annotations.json"));

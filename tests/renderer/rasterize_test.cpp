@@ -12,6 +12,7 @@
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/renderer/renderer.h"
 #include "renderer/shapes.h"
+#include "renderer/straight_camera.h"
 #include "support/instruction_sets.h"
 
 namespace graspdb {
@@ -20,12 +21,7 @@ namespace {
 using testing::capsule;
 using testing::joined;
 using testing::sphere;
-
-Camera straight_camera(int width, int height, double focal) {
-  Camera camera;
-  camera.intrinsics = {width, height, focal, focal, (width - 1) / 2.0, (height - 1) / 2.0};
-  return camera;
-}
+using testing::straight_camera;
 
 bool is_at_an_edge(const Image<std::uint8_t>& label, int x, int y) {
   for (int row = std::max(y - 1, 0); row <= std::min(y + 1, label.height() - 1); ++row) {

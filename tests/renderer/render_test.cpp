@@ -8,6 +8,7 @@
 
 #include "graspdb/renderer/renderer.h"
 #include "renderer/shapes.h"
+#include "renderer/straight_camera.h"
 
 namespace graspdb {
 namespace {
@@ -16,15 +17,9 @@ using testing::capsule;
 using ::testing::ElementsAre;
 using testing::joined;
 using testing::sphere;
+using testing::straight_camera;
 
 constexpr Layers kAllLayers{.depth = true, .normals = true, .parts = true, .amodal = true};
-
-// Looks along z from the origin; the hand frame is the camera frame.
-Camera straight_camera(int width, int height, double focal) {
-  Camera camera;
-  camera.intrinsics = {width, height, focal, focal, (width - 1) / 2.0, (height - 1) / 2.0};
-  return camera;
-}
 
 int count_of(const Image<std::uint8_t>& image, std::uint8_t value) {
   return static_cast<int>(std::count(image.begin(), image.end(), value));

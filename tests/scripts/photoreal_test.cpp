@@ -9,13 +9,14 @@
 #include "graspdb/core/file.h"
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/sequence.h"
+#include "support/source_folder.h"
 #include "support/temporary_directory.h"
 #include "support/tripod_sequence.h"
 
 namespace graspdb {
 namespace {
 
-const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
+using testing::kSource;
 
 bool has_opencv() {
   return std::system("/usr/bin/python3 -c 'import cv2' 2>/dev/null") == 0;

@@ -13,13 +13,14 @@
 #include "graspdb/grasps/closing.h"
 #include "graspdb/hand/turns.h"
 #include "graspdb/sequences/sequence.h"
+#include "support/source_folder.h"
 
 namespace graspdb {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSource = GRASPDB_SOURCE_DIR;
+using testing::kSource;
 
 struct Set {
   std::vector<SequenceSpec> train, test;

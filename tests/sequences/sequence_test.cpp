@@ -12,6 +12,7 @@
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/hand/turns.h"
 #include "graspdb/renderer/image_io.h"
+#include "support/source_folder.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {
@@ -19,7 +20,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::filesystem::path kSource = GRASPDB_SOURCE_DIR;
+using testing::kSource;
 const std::filesystem::path kHand = kSource / "assets/hands/male.glb";
 
 // A folder with the bottle of the test set, closed on the male hand once for all tests.

@@ -9,7 +9,7 @@
 namespace graspdb {
 namespace {
 
-constexpr Intrinsics kCamera{
+constexpr Intrinsics kAnyCamera{
     .width = 640, .height = 480, .fx = 500, .fy = 500, .cx = 319.5, .cy = 239.5};
 constexpr BoxTangents kRowBox{.x = -0.1F, .y = -0.1F, .width = 0.2F, .height = 0.2F};
 
@@ -21,19 +21,19 @@ Box box_around(double u, double v, double half) {
 }
 
 TEST(Placement, ABoxAsLargeAsTheRowsIsAsFarAway) {
-  const Placement placed = place(box_around(319.5, 239.5, 50), kCamera, kRowBox, 0.7);
+  const Placement placed = place(box_around(319.5, 239.5, 50), kAnyCamera, kRowBox, 0.7);
   EXPECT_NEAR(placed.palm_center.z(), 0.7, 1e-6);
   EXPECT_NEAR(placed.palm_center.head<2>().norm(), 0, 1e-6);
   EXPECT_LT(angle_between(placed.camera_from_row_camera, Eigen::Matrix3d::Identity()), 1e-6);
 }
 
 TEST(Placement, AHalfAsLargeBoxIsTwiceAsFarAway) {
-  EXPECT_NEAR(place(box_around(319.5, 239.5, 25), kCamera, kRowBox, 0.7).palm_center.z(), 1.4,
+  EXPECT_NEAR(place(box_around(319.5, 239.5, 25), kAnyCamera, kRowBox, 0.7).palm_center.z(), 1.4,
               1e-6);
 }
 
 TEST(Placement, ABoxOffTheAxisTurnsTheRowByTheAngleOfItsRay) {
-  const Placement placed = place(box_around(319.5 + 254, 239.5, 50), kCamera, kRowBox, 0.7);
+  const Placement placed = place(box_around(319.5 + 254, 239.5, 50), kAnyCamera, kRowBox, 0.7);
   EXPECT_NEAR(degrees(angle_between(placed.camera_from_row_camera, Eigen::Matrix3d::Identity())),
               degrees(std::atan(254.0 / 500)), 0.01);
   // The row's optical axis now points at the palm.
@@ -45,9 +45,9 @@ TEST(Placement, ABoxOffTheAxisTurnsTheRowByTheAngleOfItsRay) {
 TEST(Placement, ARowBesideItsAxisTurnsToTheMiddleOfTheBox) {
   const BoxTangents aside{.x = 0.1F, .y = -0.1F, .width = 0.2F, .height = 0.4F};
   for (const double half : {25.0, 50.0}) {  // however far away
-    const Placement placed = place(box_around(400.5, 100.5, half), kCamera, aside, 0.7);
+    const Placement placed = place(box_around(400.5, 100.5, half), kAnyCamera, aside, 0.7);
     const Eigen::Vector3d ray = placed.camera_from_row_camera * Eigen::Vector3d(0.2, 0.1, 1);
-    EXPECT_LT((ray.normalized() - kCamera.ray(400.5, 100.5).normalized()).norm(), 1e-6);
+    EXPECT_LT((ray.normalized() - kAnyCamera.ray(400.5, 100.5).normalized()).norm(), 1e-6);
   }
 }
 
@@ -60,7 +60,7 @@ TEST(Placement, ABallOffTheAxisIsAsFarAwayAsItIs) {
   for (int i = 0; i < 20000; ++i) {  // points of the sphere's surface
     const double z = -1 + 2 * (i + 0.5) / 20000, turn = 2.399963 * i;
     const double r = std::sqrt(1 - z * z);
-    const Eigen::Vector2d p = kCamera.project(
+    const Eigen::Vector2d p = kAnyCamera.project(
         center + 0.035 * Eigen::Vector3d(r * std::cos(turn), r * std::sin(turn), z));
     left = std::min(left, p.x());
     right = std::max(right, p.x());
@@ -70,7 +70,7 @@ TEST(Placement, ABallOffTheAxisIsAsFarAwayAsItIs) {
   const Box box{static_cast<int>(std::lround(left)), static_cast<int>(std::lround(top)),
                 static_cast<int>(std::lround(right - left)),
                 static_cast<int>(std::lround(bottom - top))};
-  const Placement placed = place(box, kCamera, ball, 0.7);
+  const Placement placed = place(box, kAnyCamera, ball, 0.7);
   EXPECT_NEAR(placed.palm_center.norm(), 0.7, 0.02);
   EXPECT_LT((placed.palm_center - center).norm(), 0.03);
 }
@@ -78,7 +78,7 @@ TEST(Placement, ABallOffTheAxisIsAsFarAwayAsItIs) {
 TEST(Placement, ThePalmLiesBesideTheBoxCenterAsItDoesInTheRow) {
   // In the row the box reaches from the palm centre to its right only.
   const BoxTangents right{.x = 0, .y = -0.1F, .width = 0.2F, .height = 0.2F};
-  const Placement placed = place(box_around(319.5, 239.5, 50), kCamera, right, 0.7);
+  const Placement placed = place(box_around(319.5, 239.5, 50), kAnyCamera, right, 0.7);
   EXPECT_NEAR(placed.palm_center.x() / placed.palm_center.z(), -0.1, 1e-6);
 }
 

@@ -9,19 +9,13 @@
 #include "graspdb/core/error.h"
 #include "graspdb/core/file.h"
 #include "graspdb/hand/rig/rig.h"
+#include "support/replaced.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb::testing {
 
 inline const std::filesystem::path kHands = GRASPDB_SOURCE_DIR "/assets/hands";
 inline const std::filesystem::path kMale = kHands / "male.glb";
-
-inline std::string replaced(std::string text, const std::string& old_text,
-                            const std::string& new_text) {
-  const auto place = text.find(old_text);
-  EXPECT_NE(place, std::string::npos) << old_text;
-  return place == std::string::npos ? text : text.replace(place, old_text.size(), new_text);
-}
 
 // The male hand's rig map with one piece of text in place of another.
 inline std::string map_with(const std::string& old_text, const std::string& new_text) {
