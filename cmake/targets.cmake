@@ -3,7 +3,9 @@
 add_library(graspdb_flags INTERFACE)
 target_compile_options(graspdb_flags INTERFACE
   -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers
-  $<$<BOOL:${GRASPDB_DEVELOPER}>:-Werror>)
+  $<$<BOOL:${GRASPDB_DEVELOPER}>:-Werror>
+  # GCC collects its garbage from 1 GB on: an eighth of a build's time for a quarter more memory.
+  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>)
 
 if(GRASPDB_SANITIZE OR GRASPDB_FUZZ)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
