@@ -24,6 +24,7 @@ run() { # NAME [KEY=VALUE of the samples' configuration ...] [-- OPTIONS of trai
 }
 
 run all
+run random-weights -- --rate 0 --crops 24000
 run seed-1 -- --seed 1
 run seed-2 -- --seed 2
 run even-hands made_hands=0

@@ -28,10 +28,10 @@ using testing::PlainOptions;
 class CodeTracker : public ::testing::Test {
  protected:
   CodeTracker() {
-    write_text(directory_ / "toy.safetensors", testing::small_net(1).bytes());
+    write_text(directory_ / "toy.safetensors", testing::small_net(2).bytes());
     const EmbeddingNet net = EmbeddingNet::load(directory_ / "toy.safetensors");
     weights_ = net.hash();
-    seen_code_ = net.describe(picture_.gray, picture_.mask).value();
+    seen_code_ = net.describe_query(picture_.gray, picture_.mask).value();
   }
 
   Row row(double turn_deg, double byte_per_deg) const {
