@@ -42,10 +42,10 @@ class ProgressPrinter {
   }
 
   std::string figures(std::size_t done, std::size_t total, double rate) const {
-    if (total == 0) return fmt::format("{} {} {}, {:.0f} {}/s", what_, done, unit_, rate, unit_);
+    const std::string speed = fmt::format("{:.{}f} {}/s", rate, rate < 10 ? 1 : 0, unit_);
+    if (total == 0) return fmt::format("{} {} {}, {}", what_, done, unit_, speed);
     const double left = static_cast<double>(total - done) / std::max(rate, 1e-9);
-    return fmt::format("{} {} of {} {}, {:.0f} {}/s, {:.0f} s left", what_, done, total, unit_,
-                       rate, unit_, left);
+    return fmt::format("{} {} of {} {}, {}, {:.0f} s left", what_, done, total, unit_, speed, left);
   }
 
   std::string what_, unit_;
