@@ -10,6 +10,7 @@
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/tracker/tracker.h"
 #include "program.h"
+#include "support/replaced.h"
 #include "support/temporary_directory.h"
 
 namespace graspdb {

@@ -13,6 +13,7 @@
 #include "graspdb/core/random.h"
 #include "graspdb/database/database.h"
 #include "sealed_file.h"
+#include "support/replaced.h"
 #include "support/temporary_directory.h"
 #include "support/toy_database.h"
 

@@ -7,7 +7,6 @@
 
 #include "graspdb/core/file.h"
 #include "graspdb/core/hash.h"
-#include "support/replaced.h"
 
 namespace graspdb::testing {
 

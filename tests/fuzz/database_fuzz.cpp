@@ -40,6 +40,11 @@ void expect_sound_or_refused(const std::string& bytes) {
   }
 }
 
+std::string replaced_where_found(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
 // Makes the checksums of the columns true as far as the header can still be read.
 void make_column_hashes_true(testing::FileParts& parts) {
   std::string header = parts.header;
@@ -53,11 +58,11 @@ void make_column_hashes_true(testing::FileParts& parts) {
       const std::string found =
           hash_hex(parts.data.substr(offsets.at(0), offsets.at(1) - offsets.at(0)));
       const std::string entry = name + R"(\":\")";  // two columns can have one checksum
-      header = testing::replaced(header, entry + hash.get<std::string>(), entry + found);
+      header = replaced_where_found(header, entry + hash.get<std::string>(), entry + found);
       all += found;
     }
     parts.header =
-        testing::replaced(header, metadata.at("content_hash").get<std::string>(), hash_hex(all));
+        replaced_where_found(header, metadata.at("content_hash").get<std::string>(), hash_hex(all));
   } catch (const std::exception&) {
   }
 }
