@@ -65,25 +65,31 @@ void CodeTable::store(std::size_t row, std::span<const std::int8_t> code) {
   tail_.store(row, code.subspan(head_dimensions_));
 }
 
-std::vector<Neighbor> CodeTable::nearest(std::span<const std::int8_t> code,
-                                         std::size_t count) const {
-  GRASPDB_CHECK(code.size() == dimensions_);
-  const Query head(code.first(head_dimensions_)), tail(code.subspan(head_dimensions_));
-  TopK best(std::min(count, rows_));
-  for (std::size_t start = 0; start < rows_; start += kBatchRows)
-    scan_batch(head, tail, start, best);
-  return best.take();
+std::vector<std::vector<Neighbor>> CodeTable::nearest(
+    const std::vector<std::vector<std::int8_t>>& queries, std::size_t count) const {
+  std::vector<Search> searches;
+  for (const std::span<const std::int8_t> code : queries) {
+    GRASPDB_CHECK(code.size() == dimensions_);
+    searches.push_back({Query(code.first(head_dimensions_)), Query(code.subspan(head_dimensions_)),
+                        TopK(std::min(count, rows_))});
+  }
+  for (std::size_t start = 0; start < rows_; start += kBatchRows) {
+    for (Search& search : searches) scan_batch(start, search);
+  }
+  std::vector<std::vector<Neighbor>> found;
+  for (Search& search : searches) found.push_back(search.best.take());
+  return found;
 }
 
-void CodeTable::scan_batch(const Query& head, const Query& tail, std::size_t start,
-                           TopK& best) const {
+void CodeTable::scan_batch(std::size_t start, Search& search) const {
   std::array<std::int32_t, kBatchRows> squared;
   std::array<bool, kBatchBlocks> near;
-  head_.distances(head, start, bound_of(best), squared, near);
+  head_.distances(search.head, start, bound_of(search.best), squared, near);
   for (std::size_t block = 0; block < kBatchBlocks; ++block) {
     const std::size_t first = block * kCodeBlock;
     if (near[block])
-      offer_block(tail, start + first, std::span(squared).subspan(first, kCodeBlock), best);
+      offer_block(search.tail, start + first, std::span(squared).subspan(first, kCodeBlock),
+                  search.best);
   }
 }
 

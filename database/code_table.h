@@ -23,8 +23,10 @@ class CodeTable {
   // Rows may be stored from several threads at once.
   void store(std::size_t row, std::span<const std::int8_t> code);
 
-  // The `count` nearest codes, nearest first, ties by row; the distances are those of the codes.
-  std::vector<Neighbor> nearest(std::span<const std::int8_t> code, std::size_t count) const;
+  // The `count` nearest codes of each query, nearest first, ties by row; the distances are those of
+  // the codes. The table is read once.
+  std::vector<std::vector<Neighbor>> nearest(const std::vector<std::vector<std::int8_t>>& queries,
+                                             std::size_t count) const;
 
  private:
   // A part of a code, as a query.
@@ -32,6 +34,11 @@ class CodeTable {
     explicit Query(std::span<const std::int8_t> code);
     std::vector<std::uint8_t> raised_numbers;
     std::int32_t norm;
+  };
+
+  struct Search {
+    Query head, tail;
+    TopK best;
   };
 
   // The same part of all codes.
@@ -47,7 +54,7 @@ class CodeTable {
     std::vector<std::int32_t> row_terms;
   };
 
-  void scan_batch(const Query& head, const Query& tail, std::size_t start, TopK& best) const;
+  void scan_batch(std::size_t start, Search& search) const;
   void offer_block(const Query& tail, std::size_t start, std::span<const std::int32_t> squared,
                    TopK& best) const;
 

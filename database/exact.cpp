@@ -38,8 +38,15 @@ class ExactCodeSearch : public Search {
   }
 
   std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
+    return nearest_of_each(std::span(&query, 1), k).front();
+  }
+
+  std::vector<std::vector<Neighbor>> nearest_of_each(std::span<const DescriptorView> queries,
+                                                     int k) const override {
     GRASPDB_CHECK(k >= 0);
-    return table_.nearest(code_of(query), static_cast<std::size_t>(k));
+    std::vector<std::vector<std::int8_t>> codes;
+    for (const DescriptorView query : queries) codes.push_back(code_of(query));
+    return table_.nearest(codes, static_cast<std::size_t>(k));
   }
 
  private:

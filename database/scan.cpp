@@ -43,15 +43,38 @@ class ScanSearch : public Search {
   }
 
   std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
+    return nearest_of_each(std::span(&query, 1), k).front();
+  }
+
+  std::vector<std::vector<Neighbor>> nearest_of_each(std::span<const DescriptorView> queries,
+                                                     int k) const override {
     GRASPDB_CHECK(k >= 0);
     const auto wanted = static_cast<std::size_t>(k);
     const auto kept = std::max(rerank_, 3 * wanted);
-    if (kept >= rows_.rows()) return exact_nearest(rows_, query, k);
-    std::vector<std::uint32_t> rows;
-    const Codes code = codes_of(query);
-    for (const Neighbor& neighbor : codes_->nearest(row_of(code, 0), kept)) {
-      rows.push_back(neighbor.row);
+    std::vector<std::vector<Neighbor>> found;
+    if (kept >= rows_.rows()) {
+      for (const DescriptorView query : queries) found.push_back(exact_nearest(rows_, query, k));
+      return found;
     }
+    std::vector<std::vector<std::int8_t>> codes;
+    for (const DescriptorView query : queries) {
+      const Codes code = codes_of(query);
+      codes.emplace_back(code.data(), code.data() + code.size());
+    }
+    const std::vector<std::vector<Neighbor>> likely = codes_->nearest(codes, kept);
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      found.push_back(reranked(queries[i], likely[i], wanted));
+    return found;
+  }
+
+ private:
+  using Codes = Eigen::Matrix<std::int8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  // The nearest of them by the descriptors themselves.
+  std::vector<Neighbor> reranked(DescriptorView query, const std::vector<Neighbor>& likely,
+                                 std::size_t wanted) const {
+    std::vector<std::uint32_t> rows;
+    for (const Neighbor& neighbor : likely) rows.push_back(neighbor.row);
     std::ranges::sort(rows);  // memory likes to be read in order
     std::vector<std::uint32_t> squared(rows.size());
     squared_distances(query, rows_.bytes.data(), rows, squared);
@@ -59,9 +82,6 @@ class ScanSearch : public Search {
     for (std::size_t i = 0; i < rows.size(); ++i) best.offer(rows[i], squared[i]);
     return best.take();
   }
-
- private:
-  using Codes = Eigen::Matrix<std::int8_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   // A row each, whole numbers from -127 to 127.
   Codes codes_of(DescriptorView descriptors) const {

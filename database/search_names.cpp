@@ -7,6 +7,13 @@
 
 namespace graspdb {
 
+std::vector<std::vector<Neighbor>> Search::nearest_of_each(std::span<const DescriptorView> queries,
+                                                           int k) const {
+  std::vector<std::vector<Neighbor>> found;
+  for (const DescriptorView query : queries) found.push_back(nearest(query, k));
+  return found;
+}
+
 const std::vector<std::string>& search_names() {
   static const std::vector<std::string> names = {"exact", "scan", "lsh"};
   return names;

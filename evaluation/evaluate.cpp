@@ -23,22 +23,29 @@ class SharedSearch : public Search {
     for (const TrackerOptions& tracker : trackers) most_ = std::max(most_, tracker.neighbors);
   }
   std::vector<Neighbor> nearest(DescriptorView query, int k) const override {
+    return nearest_of_each(std::span(&query, 1), k).front();
+  }
+  std::vector<std::vector<Neighbor>> nearest_of_each(std::span<const DescriptorView> queries,
+                                                     int k) const override {
     GRASPDB_CHECK(k <= most_);
-    if (!asked_ || !std::ranges::equal(query, query_)) {
-      found_ = search_.nearest(query, most_);
-      query_.assign(query.begin(), query.end());
-      asked_ = true;
+    if (!std::ranges::equal(queries, queries_, std::ranges::equal)) {
+      queries_.clear();
+      for (const DescriptorView query : queries) queries_.emplace_back(query.begin(), query.end());
+      found_ = search_.nearest_of_each(queries, most_);
     }
-    const auto count = std::min(found_.size(), static_cast<std::size_t>(k));
-    return {found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(count)};
+    std::vector<std::vector<Neighbor>> first;
+    for (const std::vector<Neighbor>& found : found_) {
+      const auto count = std::min(found.size(), static_cast<std::size_t>(k));
+      first.emplace_back(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    return first;
   }
 
  private:
   const Search& search_;
   int most_ = 0;
-  mutable bool asked_ = false;
-  mutable DescriptorBytes query_;
-  mutable std::vector<Neighbor> found_;
+  mutable std::vector<DescriptorBytes> queries_;
+  mutable std::vector<std::vector<Neighbor>> found_;
 };
 
 void count_far_grasps(SequenceEvaluation& result) {

@@ -232,6 +232,21 @@ TEST_F(LshTest, ScanOptionsOutOfRangeAreRefusedByName) {
   EXPECT_THROW(make_scan_search(database_, {.rerank = 0}), Error);
 }
 
+TEST_F(LshTest, EachOfSeveralQueriesIsAnsweredAsByItself) {
+  const std::vector<Descriptor> hands = LshTest::queries(3);
+  const std::vector<DescriptorView> queries(hands.begin(), hands.end());
+  for (const std::string& name : search_names()) {
+    const std::unique_ptr<Search> search = open_search(database_, name);
+    for (const int k : {0, 20, 5000}) {
+      const auto found = search->nearest_of_each(queries, k);
+      ASSERT_EQ(found.size(), 3u);
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(found[i], search->nearest(queries[i], k)) << name;
+    }
+    EXPECT_TRUE(search->nearest_of_each({}, 20).empty());
+  }
+}
+
 TEST_F(LshTest, EverySearchOpensByItsNameAndNoOther) {
   const std::unique_ptr<Search> exact = open_search(database_, "exact");
   for (const std::string& name : search_names())

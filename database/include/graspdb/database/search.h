@@ -27,6 +27,9 @@ class Search {
   // The k >= 0 nearest rows (fewer when the database has fewer), nearest first, ties by row.
   // The query is of the kind that Database::descriptors() holds.
   virtual std::vector<Neighbor> nearest(DescriptorView query, int k) const = 0;
+  // The same of each query. A search that reads the whole database reads it once for all of them.
+  virtual std::vector<std::vector<Neighbor>> nearest_of_each(
+      std::span<const DescriptorView> queries, int k) const;
 };
 
 // The share of the k nearest rows, over these queries, that `search` finds too: 1 is perfect. Rows
