@@ -13,16 +13,19 @@ Pose joined(const Pose& view, const Pose& hand) {
 }
 
 void split_by_stage(const GapInput& in, PoseMetric metric, double answer, double best, Gap& gap) {
-  if (in.rows.empty()) {
+  if (in.hypotheses.empty()) {
     gap.unanswered = answer - best;
     return;
   }
-  const auto error = [&](std::uint32_t row) {
-    return metric(in.grid.seen(in.grid.pose_of(row), in.grid.view_of(row), in.truth), in.truth);
+  const auto error = [&](const Hypothesis& hypothesis) {
+    const std::size_t pose = in.grid.pose_of(hypothesis.row),
+                      view = in.grid.view_of(hypothesis.row);
+    return metric(in.grid.seen(pose, view, in.truth, hypothesis.roll_deg), in.truth);
   };
-  const double chosen = error(in.rows.front());
+  const double chosen = error(in.hypotheses.front());
   double retrieved = chosen;
-  for (const std::uint32_t row : in.rows.subspan(1)) retrieved = std::min(retrieved, error(row));
+  for (const Hypothesis& other : in.hypotheses.subspan(1))
+    retrieved = std::min(retrieved, error(other));
   gap.retrieval = retrieved - best;
   gap.choice = chosen - retrieved;
   gap.placement = answer - chosen;

@@ -64,8 +64,9 @@ PoseGrid::PoseGrid(const Database& database) {
   }
 }
 
-Pose PoseGrid::seen(std::size_t pose, std::size_t view, const Pose& truth) const {
-  const Eigen::Matrix3d rotation = turn_to_palm(truth) * views_[view];
+Pose PoseGrid::seen(std::size_t pose, std::size_t view, const Pose& truth, double roll_deg) const {
+  const Eigen::Matrix3d rotation =
+      turn_to_palm(truth) * axis_rotation(2, radians(-roll_deg)) * views_[view];
   const Keypoints& joints = poses_[pose].joints;
   const Eigen::Vector3d wrist = palm_center(truth.joints) - rotation * palm_center(joints);
   return {rotation, poses_[pose].angles, (rotation * joints).colwise() + wrist};

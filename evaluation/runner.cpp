@@ -56,17 +56,15 @@ void Runner::step(const Observation& seen) {
 }
 
 void Runner::split_gaps(FrameResult& result, const std::vector<Hypothesis>& hypotheses) const {
-  std::vector<std::uint32_t> rows;
-  if (result.valid) {
-    for (const Hypothesis& hypothesis : hypotheses) rows.push_back(hypothesis.row);
-  }
+  std::span<const Hypothesis> retrieved;
+  if (result.valid) retrieved = hypotheses;
   const std::size_t i = frames_.size() - 1;
   const FrameOracle& oracle = stage_.baselines.oracle[i];
   const Pose& truth = stage_.truth[i].pose;
-  result.pose_error_gap =
-      split_gap({stage_.grid, truth, last_answer_.pose, rows, oracle.best_pose_error}, pose_error);
-  result.mpjpe_gap = split_gap({stage_.grid, truth, last_answer_.pose, rows, oracle.best_mpjpe},
-                               joint_distance_mm);
+  result.pose_error_gap = split_gap(
+      {stage_.grid, truth, last_answer_.pose, retrieved, oracle.best_pose_error}, pose_error);
+  result.mpjpe_gap = split_gap(
+      {stage_.grid, truth, last_answer_.pose, retrieved, oracle.best_mpjpe}, joint_distance_mm);
 }
 
 EvalRun Runner::run(double alpha) const {

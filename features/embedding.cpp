@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "graspdb/core/error.h"
 #include "net.h"
@@ -14,22 +13,14 @@ namespace {
 // With a frame of zeros, as a layer wants it.
 using Picture = std::vector<std::uint8_t>;
 
-struct Pixel {
-  int x = 0, y = 0;
-};
-
-// Moved by so many pixels; what leaves the crop is lost.
-Picture first_picture(const Net& net, const HandCrop& crop, const Pixel& moved) {
+Picture first_picture(const Net& net, const HandCrop& crop) {
   const Convolution& layer = net.layers.front();
   Picture picture(layer.padded_side() * layer.padded_side() * layer.inputs);
   for (std::size_t plane = 0; plane < net.planes.size(); ++plane) {
     const CropPlane& pixels = crop.*net.planes[plane];
-    for (int y = std::max(moved.y, 0); y < kCropSide + std::min(moved.y, 0); ++y) {
-      for (int x = std::max(moved.x, 0); x < kCropSide + std::min(moved.x, 0); ++x) {
-        const std::size_t at = (y + layer.padding) * layer.padded_side() + x + layer.padding;
-        picture[at * layer.inputs + plane] =
-            pixels[static_cast<std::size_t>((y - moved.y) * kCropSide + x - moved.x)];
-      }
+    for (std::size_t i = 0; i < kCropPixels; ++i) {
+      const std::size_t x = i % kCropSide + layer.padding, y = i / kCropSide + layer.padding;
+      picture[(y * layer.padded_side() + x) * layer.inputs + plane] = pixels[i];
     }
   }
   return picture;
@@ -50,9 +41,7 @@ Picture next_picture(const Convolution& layer, const Convolution& next, const Pi
   return result;
 }
 
-using Values = std::vector<std::int64_t>;
-
-Values last_values(const Net& net, Picture picture) {
+std::vector<std::int64_t> last_values(const Net& net, Picture picture) {
   for (std::size_t i = 0; i + 1 < net.layers.size(); ++i) {
     picture = next_picture(net.layers[i], net.layers[i + 1], picture);
   }
@@ -73,28 +62,6 @@ std::int64_t square_root(std::int64_t square) {
 std::int64_t quotient(std::int64_t dividend, std::int64_t divisor) {
   const std::int64_t half = dividend < 0 ? -divisor / 2 : divisor / 2;
   return (dividend + half) / divisor;
-}
-
-// The same direction, of another length.
-Values scaled(Values values, std::int64_t length) {
-  std::int64_t square = 0;
-  for (const std::int64_t value : values) square += value * value;
-  const std::int64_t old_length = std::max(square_root(square), std::int64_t{1});
-  for (std::int64_t& value : values) value = quotient(value * length, old_length);
-  return values;
-}
-
-Embedding code_of(const Values& values, std::int64_t scale) {
-  Embedding code(values.size());
-  std::ranges::transform(scaled(values, scale), code.begin(), [](std::int64_t value) {
-    return static_cast<std::uint8_t>(std::clamp<std::int64_t>(128 + value, 0, 255));
-  });
-  return code;
-}
-
-std::optional<HandCrop> crop_of(const GrayImage& gray, const Mask& mask) {
-  const auto square = crop_square(mask);
-  return square ? std::optional(crop_hand(gray, mask, *square)) : std::nullopt;
 }
 
 }  // namespace
@@ -126,29 +93,22 @@ const std::string& EmbeddingNet::hash() const {
 
 Embedding EmbeddingNet::describe(const HandCrop& crop) const {
   const Net& net = state_->net;
-  return code_of(last_values(net, first_picture(net, crop, {})), net.scale);
+  const std::vector<std::int64_t> values = last_values(net, first_picture(net, crop));
+  std::int64_t square = 0;
+  for (const std::int64_t value : values) square += value * value;
+  const std::int64_t length = std::max(square_root(square), std::int64_t{1});
+  Embedding code(values.size());
+  std::ranges::transform(values, code.begin(), [&](std::int64_t value) {
+    return static_cast<std::uint8_t>(
+        std::clamp<std::int64_t>(128 + quotient(value * net.scale, length), 0, 255));
+  });
+  return code;
 }
 
 std::optional<Embedding> EmbeddingNet::describe(const GrayImage& gray, const Mask& mask) const {
-  const auto crop = crop_of(gray, mask);
-  return crop ? std::optional(describe(*crop)) : std::nullopt;
-}
-
-Embedding EmbeddingNet::describe_query(const HandCrop& crop) const {
-  constexpr std::int64_t kUnit = 1 << 20;
-  const Net& net = state_->net;
-  Values sum(net.size);
-  for (const Pixel& moved : {Pixel{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
-    const Values direction = scaled(last_values(net, first_picture(net, crop, moved)), kUnit);
-    std::ranges::transform(sum, direction, sum.begin(), std::plus());
-  }
-  return code_of(sum, net.scale);
-}
-
-std::optional<Embedding> EmbeddingNet::describe_query(const GrayImage& gray,
-                                                      const Mask& mask) const {
-  const auto crop = crop_of(gray, mask);
-  return crop ? std::optional(describe_query(*crop)) : std::nullopt;
+  const auto square = crop_square(mask);
+  if (!square) return std::nullopt;
+  return describe(crop_hand(gray, mask, *square));
 }
 
 }  // namespace graspdb

@@ -42,7 +42,7 @@ Describer::~Describer() = default;
 Describer::Describer(Describer&&) noexcept = default;
 
 DescriptorBytes Describer::describe(const GrayImage& gray, const Mask& mask) const {
-  if (state_->net) return state_->net->describe_query(gray, mask).value_or(Embedding{});
+  if (state_->net) return state_->net->describe(gray, mask).value_or(Embedding{});
   const Descriptor hog = graspdb::describe(gray, mask, state_->hog);
   return {hog.begin(), hog.end()};
 }

@@ -14,9 +14,10 @@ void add_answer(json& line, const Estimate& estimate, const Database& database) 
   json hypotheses = json::array();
   for (const Hypothesis& h : estimate.hypotheses) {
     if (hypotheses.size() == kListedHypotheses) break;
-    hypotheses.push_back({{"row", h.row}, {"weight", h.weight}});
+    hypotheses.push_back({{"row", h.row}, {"roll_deg", h.roll_deg}, {"weight", h.weight}});
   }
   line["row"] = estimate.row;
+  line["roll_deg"] = estimate.roll_deg;
   line["distance"] = estimate.distance;
   line["grasp"] = {{"id", estimate.grasp},
                    {"name", grasp_name(database.info(), estimate.grasp)},

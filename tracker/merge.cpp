@@ -2,6 +2,7 @@
 #include "merge.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "candidate.h"
@@ -27,18 +28,13 @@ Eigen::Vector3d palm_center_at(const Eigen::RowVector3d& place) {
   return Eigen::Vector3d(place.x(), place.y(), 1) * std::exp(place.z());
 }
 
-// The codes of rows less what was seen.
-CodeLines differences(const std::vector<std::uint32_t>& rows, const DescriptorTable& table,
-                      DescriptorView query) {
+// The code of a row less what was seen.
+Eigen::RowVectorXf difference(DescriptorView row, DescriptorView seen) {
   using Bytes = Eigen::Map<const Eigen::Matrix<std::uint8_t, 1, Eigen::Dynamic>>;
   const auto view = [](DescriptorView bytes) {
     return Bytes(bytes.data(), static_cast<Eigen::Index>(bytes.size())).cast<float>();
   };
-  CodeLines codes(rows.size(), query.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    codes.row(static_cast<Eigen::Index>(i)) = view(table.row(rows[i])) - view(query);
-  }
-  return codes;
+  return view(row) - view(seen);
 }
 
 }  // namespace
@@ -59,36 +55,42 @@ PoseLine fitted_pose(const PoseLines& poses, const CodeLines& codes, const LineW
   return fitted.cwiseMax(poses.colwise().minCoeff()).cwiseMin(poses.colwise().maxCoeff());
 }
 
+// The look that found it.
+const Tracker::Look& Tracker::look_of(const Candidate& candidate, const std::vector<Look>& looks) {
+  return *std::ranges::find(looks, candidate.roll_deg, &Look::roll_deg);
+}
+
 // The heaviest candidate with a pose between those that are not much lighter and turned no further
 // than merge_deg from it: their mean by weight or, where rows have codes, what a line through them
 // says.
 Tracker::Candidate Tracker::merged(const std::vector<Candidate>& candidates,
-                                   DescriptorView query) const {
+                                   const std::vector<Look>& looks) const {
   Candidate best = candidates.front();
   if (options_.merge_deg == 0) return best;
-  std::vector<std::uint32_t> rows;
+  const DescriptorTable table = database_.descriptors();
+  const bool has_codes = database_.has_embeddings();
   PoseLines poses(candidates.size(), PoseLine::ColsAtCompileTime);
+  CodeLines codes(candidates.size(), has_codes ? table.size : 0);
   LineWeights weights(candidates.size());
+  Eigen::Index count = 0;
   for (const Candidate& candidate : candidates) {  // the heaviest first
     if (candidate.weight < kLightest * best.weight) break;
     const Eigen::Matrix3d best_from_row = best.rotation.transpose() * candidate.rotation;
     const Eigen::Vector3d turn = vector_from_rotation(best_from_row);
     if (turn.norm() > radians(options_.merge_deg)) continue;
-    const auto line = static_cast<Eigen::Index>(rows.size());
-    poses.row(line) << turn.transpose().cast<float>(),
+    poses.row(count) << turn.transpose().cast<float>(),
         place_of(candidate.placement.palm_center).cast<float>(),
         candidate.angles.transpose().cast<float>();
-    weights[line] = static_cast<float>(candidate.weight);
-    rows.push_back(candidate.row);
+    if (has_codes)
+      codes.row(count) = difference(table.row(candidate.row), look_of(candidate, looks).code);
+    weights[count++] = static_cast<float>(candidate.weight);
   }
-  const auto count = static_cast<Eigen::Index>(rows.size());
   poses.conservativeResize(count, Eigen::NoChange);
+  codes.conservativeResize(count, Eigen::NoChange);
   weights.conservativeResize(count);
   weights /= weights.sum();
   const PoseLine pose =
-      database_.has_embeddings()
-          ? fitted_pose(poses, differences(rows, database_.descriptors(), query), weights)
-          : PoseLine(weights.transpose() * poses);
+      has_codes ? fitted_pose(poses, codes, weights) : PoseLine(weights.transpose() * poses);
   best.rotation *= rotation_from_vector(pose.head<3>().transpose().cast<double>());
   best.placement.palm_center = palm_center_at(pose.segment<3>(3).cast<double>());
   best.angles = pose.tail<kAngleCount>().transpose().cast<double>();

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "candidate.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/stopwatch.h"
 #include "graspdb/features/hog.h"
 #include "graspdb/hand/label.h"
+#include "roll.h"
 #include "successors.h"
 
 namespace graspdb {
@@ -29,8 +31,14 @@ double confidence_at(double distance, DescriptorKind kind) {
   struct Curve {
     double half, width;
   };
-  const Curve curve = kind == DescriptorKind::kHog ? Curve{3.9, 1.2} : Curve{0.46, 0.07};
+  const Curve curve = kind == DescriptorKind::kHog ? Curve{3.9, 1.2} : Curve{0.45, 0.06};
   return 1 / (1 + std::exp((distance - curve.half) / curve.width));
+}
+
+// As the frame's camera sees what a rolled one does.
+Placement rolled_back(const Placement& placement, double roll_deg) {
+  const Eigen::Matrix3d back = camera_from_rolled(roll_deg);
+  return {back * placement.camera_from_row_camera, back * placement.palm_center};
 }
 
 constexpr std::size_t kCacheLine = 64;  // bytes
@@ -72,38 +80,63 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   const std::optional<Box> box = tight_box(seen.hand);
   if (!box) return false;
   estimate.box = *box;
-  estimate.descriptor = describer_->describe(seen.gray, seen.hand);
+  std::vector<Look> looks = look_at(seen, *box);
+  estimate.descriptor = looks.front().code;
   estimate.ms.describe = watch.lap_ms();
-  const std::vector<Neighbor> neighbors = neighbors_of(estimate.descriptor);
+  find_neighbors(looks);
   estimate.ms.search = watch.lap_ms();
-  if (neighbors.empty()) return false;
-  estimate.distance = descriptor_distance(neighbors.front());
+  if (looks.front().neighbors.empty()) return false;
+  estimate.distance = nearest_distance(looks);
   estimate.confidence = confidence_at(estimate.distance, descriptor_kind(database_));
   if (estimate.distance > options_.max_distance) return false;
-  std::vector<Candidate> candidates = look_up(neighbors, *box, seen.camera);
+  std::vector<Candidate> candidates = look_up(looks);
   if (candidates.empty()) return false;
   weigh(candidates);
-  const Candidate best = merged(candidates, estimate.descriptor);
+  const Candidate best = merged(candidates, looks);
   answer(candidates, best, seen.camera, estimate);
   remember(std::move(candidates), best);
   estimate.ms.temporal = watch.lap_ms();
   return true;
 }
 
+// As it is first. Rows are a few views of many: what errs for the hand as it stands in the frame
+// errs otherwise for the same hand turned, and what looks agree on is nearer the truth.
+std::vector<Tracker::Look> Tracker::look_at(const Observation& seen, const Box& box) const {
+  std::vector<Look> looks{{0, seen.camera, box, describer_->describe(seen.gray, seen.hand), {}}};
+  if (options_.roll_deg == 0) return looks;
+  for (const double roll_deg : {options_.roll_deg, -options_.roll_deg}) {
+    const Observation turned = rolled(seen, box, roll_deg);
+    const std::optional<Box> turned_box = tight_box(turned.hand);
+    if (!turned_box) continue;  // of a pixel or two, none was hit
+    looks.push_back(
+        {roll_deg, turned.camera, *turned_box, describer_->describe(turned.gray, turned.hand), {}});
+  }
+  return looks;
+}
+
 // The nearest rows, and what the last hypotheses may have become; nearest first, ties by row.
-std::vector<Neighbor> Tracker::neighbors_of(DescriptorView query) const {
-  std::vector<Neighbor> found = search_.nearest(query, options_.neighbors);
-  if (!successors_ || previous_.empty()) return found;
+void Tracker::find_neighbors(std::vector<Look>& looks) const {
+  std::vector<DescriptorView> codes;
+  for (const Look& look : looks) codes.emplace_back(look.code);
+  std::vector<std::vector<Neighbor>> found = search_.nearest_of_each(codes, options_.neighbors);
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    looks[i].neighbors = std::move(found[i]);
+    if (successors_ && !previous_.empty()) add_successors(looks[i]);
+  }
+}
+
+void Tracker::add_successors(Look& look) const {
   std::vector<std::uint32_t> rows;
-  for (const Candidate& before : previous_) successors_->append(before.row, rows);
-  for (const Neighbor& neighbor : found) rows.push_back(neighbor.row);
+  for (const Candidate& before : previous_) {
+    if (before.roll_deg == look.roll_deg) successors_->append(before.row, rows);
+  }
+  for (const Neighbor& neighbor : look.neighbors) rows.push_back(neighbor.row);
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  std::vector<Neighbor> all = measure(database_, query, rows);
-  std::stable_sort(all.begin(), all.end(), [](const Neighbor& a, const Neighbor& b) {
-    return a.squared_distance < b.squared_distance;
-  });
-  return all;
+  look.neighbors = measure(database_, look.code, rows);
+  std::stable_sort(
+      look.neighbors.begin(), look.neighbors.end(),
+      [](const Neighbor& a, const Neighbor& b) { return a.squared_distance < b.squared_distance; });
 }
 
 // Opening a database checks its header only; what is used of its content is checked here.
@@ -117,44 +150,57 @@ void Tracker::check_row(std::uint32_t row) const {
                "an altered row: see `graspdb verify`"});
 }
 
-// The neighbours' poses as this camera would see them, weighted by the observation.
-std::vector<Tracker::Candidate> Tracker::look_up(const std::vector<Neighbor>& neighbors,
-                                                 const Box& box, const Intrinsics& camera) const {
-  fetch_labels(database_, neighbors);
+double Tracker::nearest_distance(const std::vector<Look>& looks) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Look& look : looks)
+    nearest = std::min(nearest, descriptor_distance(look.neighbors.front()));
+  return nearest;
+}
+
+// The neighbours' poses as the frame's camera would see them, weighted by the observation.
+std::vector<Tracker::Candidate> Tracker::look_up(const std::vector<Look>& looks) const {
   std::vector<Candidate> candidates;
-  candidates.reserve(neighbors.size());
-  const double nearest = neighbors.front().squared_distance;
-  for (const Neighbor& neighbor : neighbors) {
-    check_row(neighbor.row);
-    const BoxTangents row_box = database_.box(neighbor.row);
-    // A row whose hand is wholly hidden answers nothing.
-    if (!(row_box.width > 0 && row_box.height > 0)) continue;
-    const double stretch = log_stretch(box, camera, row_box);
-    if (std::abs(stretch) > kLargestStretch) continue;
-    const LabelPose row = unpack_label(database_.label(neighbor.row));
-    Candidate candidate{.row = neighbor.row, .angles = row.angles};
-    candidate.placement = place(box, camera, row_box, database_.info().camera_distance);
-    candidate.rotation = candidate.placement.camera_from_row_camera * row.rotation;
-    candidate.pose = pose_vector(candidate.rotation, row.angles);
-    const double further = (neighbor.squared_distance - nearest) / (255.0 * 255.0);
-    candidate.log_weight =
-        -further / (2 * options_.sigma_hog * options_.sigma_hog) -
-        stretch * stretch / (2 * options_.sigma_stretch * options_.sigma_stretch);
-    candidates.push_back(std::move(candidate));
+  for (const Look& look : looks) {
+    fetch_labels(database_, look.neighbors);
+    for (const Neighbor& neighbor : look.neighbors) {
+      check_row(neighbor.row);
+      if (std::optional<Candidate> candidate = candidate_of(neighbor, look))
+        candidates.push_back(std::move(*candidate));
+    }
   }
   return candidates;
+}
+
+// None of a row whose hand is wholly hidden, or far from what is seen in its box.
+std::optional<Tracker::Candidate> Tracker::candidate_of(const Neighbor& neighbor,
+                                                        const Look& look) const {
+  const BoxTangents row_box = database_.box(neighbor.row);
+  if (!(row_box.width > 0 && row_box.height > 0)) return std::nullopt;
+  const double stretch = log_stretch(look.box, look.camera, row_box);
+  if (std::abs(stretch) > kLargestStretch) return std::nullopt;
+  const LabelPose row = unpack_label(database_.label(neighbor.row));
+  Candidate candidate{.row = neighbor.row, .roll_deg = look.roll_deg, .angles = row.angles};
+  candidate.placement = rolled_back(
+      place(look.box, look.camera, row_box, database_.info().camera_distance), look.roll_deg);
+  candidate.rotation = candidate.placement.camera_from_row_camera * row.rotation;
+  candidate.pose = pose_vector(candidate.rotation, row.angles);
+  const double distance = descriptor_distance(neighbor);
+  candidate.log_weight = -distance * distance / (2 * options_.sigma_hog * options_.sigma_hog) -
+                         stretch * stretch / (2 * options_.sigma_stretch * options_.sigma_stretch);
+  return candidate;
 }
 
 void Tracker::answer(const std::vector<Candidate>& candidates, const Candidate& best,
                      const Intrinsics& camera, Estimate& estimate) const {
   const Skeleton& skeleton = database_.info().hands[database_.hand(best.row)].skeleton;
   estimate.row = best.row;
+  estimate.roll_deg = best.roll_deg;
   estimate.grasp = database_.grasp(best.row);
   estimate.step = database_.step(best.row);
   estimate.angles = best.angles;
   estimate.hypotheses.reserve(candidates.size());
   for (const Candidate& candidate : candidates) {
-    estimate.hypotheses.push_back({candidate.row, candidate.weight});
+    estimate.hypotheses.push_back({candidate.row, candidate.roll_deg, candidate.weight});
     if (database_.grasp(candidate.row) == estimate.grasp)
       estimate.grasp_probability += candidate.weight;
   }

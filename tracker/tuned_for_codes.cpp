@@ -9,9 +9,10 @@ TrackerOptions tuned_for_codes(TemporalModel temporal) {
   switch (temporal) {
     case TemporalModel::kNone:
       return {.temporal = temporal,
-              .neighbors = 400,
+              .neighbors = 130,
+              .roll_deg = 40,
               .kept = 20,
-              .sigma_hog = 0.28,
+              .sigma_hog = 0.2,
               .sigma_stretch = 0.5,
               .sigma_pose = 0.35,
               .bandwidth = 0.35,
@@ -19,9 +20,10 @@ TrackerOptions tuned_for_codes(TemporalModel temporal) {
               .max_distance = 0.65};
     case TemporalModel::kGaussian:
       return {.temporal = temporal,
-              .neighbors = 400,
+              .neighbors = 130,
+              .roll_deg = 40,
               .kept = 20,
-              .sigma_hog = 0.28,
+              .sigma_hog = 0.24,
               .sigma_stretch = 0.5,
               .sigma_pose = 0.7,
               .bandwidth = 0.35,
@@ -29,9 +31,10 @@ TrackerOptions tuned_for_codes(TemporalModel temporal) {
               .max_distance = 0.65};
     case TemporalModel::kKde:
       return {.temporal = temporal,
-              .neighbors = 400,
+              .neighbors = 130,
+              .roll_deg = 40,
               .kept = 20,
-              .sigma_hog = 0.28,
+              .sigma_hog = 0.24,
               .sigma_stretch = 0.5,
               .sigma_pose = 0.35,
               .bandwidth = 0.7,
@@ -39,9 +42,10 @@ TrackerOptions tuned_for_codes(TemporalModel temporal) {
               .max_distance = 0.65};
     case TemporalModel::kSuccessors:
       return {.temporal = temporal,
-              .neighbors = 200,
+              .neighbors = 130,
+              .roll_deg = 40,
               .kept = 20,
-              .sigma_hog = 0.28,
+              .sigma_hog = 0.18,
               .sigma_stretch = 0.5,
               .sigma_pose = 0.35,
               .bandwidth = 1.0,

@@ -10,6 +10,7 @@ TrackerOptions tuned_for_hogs(TemporalModel temporal) {
     case TemporalModel::kNone:
       return {.temporal = temporal,
               .neighbors = 200,
+              .roll_deg = 0,
               .kept = 20,
               .sigma_hog = 0.7,
               .sigma_stretch = 0.2,
@@ -20,6 +21,7 @@ TrackerOptions tuned_for_hogs(TemporalModel temporal) {
     case TemporalModel::kGaussian:
       return {.temporal = temporal,
               .neighbors = 50,
+              .roll_deg = 0,
               .kept = 20,
               .sigma_hog = 1.0,
               .sigma_stretch = 0.3,
@@ -30,6 +32,7 @@ TrackerOptions tuned_for_hogs(TemporalModel temporal) {
     case TemporalModel::kKde:
       return {.temporal = temporal,
               .neighbors = 200,
+              .roll_deg = 0,
               .kept = 50,
               .sigma_hog = 1.0,
               .sigma_stretch = 0.15,
@@ -40,6 +43,7 @@ TrackerOptions tuned_for_hogs(TemporalModel temporal) {
     case TemporalModel::kSuccessors:
       return {.temporal = temporal,
               .neighbors = 10,
+              .roll_deg = 0,
               .kept = 100,
               .sigma_hog = 0.7,
               .sigma_stretch = 0.1,

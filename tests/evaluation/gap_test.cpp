@@ -17,7 +17,13 @@ class GapOfASmallGrid : public testing::SmallGrid {
     return grid_->seen(grid_->pose_of(row), grid_->view_of(row), truth_[0].pose);
   }
   Gap split(const Pose& answer, const std::vector<std::uint32_t>& rows) const {
-    return split_gap({*grid_, truth_[0].pose, answer, rows, best_.best_pose_error}, pose_error);
+    return split_gap({*grid_, truth_[0].pose, answer, hypotheses(rows), best_.best_pose_error},
+                     pose_error);
+  }
+  static std::vector<Hypothesis> hypotheses(const std::vector<std::uint32_t>& rows) {
+    std::vector<Hypothesis> all;
+    for (const std::uint32_t row : rows) all.push_back({.row = row});
+    return all;
   }
   FrameOracle best_ = oracle(*grid_, truth_[0]);
 };
@@ -40,7 +46,7 @@ TEST_F(GapOfASmallGrid, BothSplitsAddUpToTheGap) {
     const Eigen::Matrix3d off = axis_rotation(0, 0.1);  // placed a little wrong
     answer.rotation = off * answer.rotation;
     answer.joints = off * answer.joints;
-    const std::vector<std::uint32_t> rows = {row, 5};
+    const std::vector<Hypothesis> rows = hypotheses({row, 5});
     for (const PoseMetric metric : {PoseMetric{pose_error}, PoseMetric{joint_distance_mm}}) {
       const bool is_pose = metric == PoseMetric{pose_error};
       const GridPlace place = is_pose ? best_.best_pose_error : best_.best_mpjpe;
@@ -60,6 +66,21 @@ TEST_F(GapOfASmallGrid, AnAnswerWithTheBestPoseLacksTheViewOnly) {
   const Gap gap = split(grid_->seen(place.pose, place.view, truth_[0].pose), {});
   EXPECT_NEAR(gap.pose, 0, 1e-9);
   EXPECT_GT(gap.view, 0.01);
+}
+
+TEST_F(GapOfASmallGrid, AHypothesisOfARolledLookIsTurnedBack) {
+  const Pose& truth = truth_[0].pose;
+  const Pose answer = grid_->seen(grid_->pose_of(3), grid_->view_of(3), truth, 30);
+  const Eigen::Matrix3d turn = answer.rotation * seen(3).rotation.transpose();
+  const Eigen::Vector3d ray = palm_center(truth.joints).normalized();
+  EXPECT_LT((vector_from_rotation(turn) + radians(30) * ray).norm(), 1e-9);
+  EXPECT_LT((palm_center(answer.joints) - palm_center(truth.joints)).norm(), 1e-9);
+  for (const double roll_deg : {0.0, 30.0}) {
+    const std::vector<Hypothesis> found = {{.row = 3, .roll_deg = roll_deg}};
+    const Gap gap =
+        split_gap({*grid_, truth, answer, found, best_.best_pose_error}, joint_distance_mm);
+    EXPECT_EQ(std::abs(gap.placement) < 1e-9, roll_deg == 30);
+  }
 }
 
 TEST_F(GapOfASmallGrid, WithoutAnAnswerTheWholeGapIsThat) {

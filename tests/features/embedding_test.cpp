@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -106,41 +105,6 @@ TEST_P(EachInstructionSet, GivesTheCodeThatThePlainSumsGive) {
     EXPECT_EQ(EmbeddingNet::parse(file.bytes(), "net").describe(crop), plain_code(file, crop, 500));
   }
   use_best();
-}
-
-HandCrop moved(const HandCrop& crop, int dx, int dy) {
-  HandCrop result;
-  for (int y = 0; y < kCropSide; ++y) {
-    for (int x = 0; x < kCropSide; ++x) {
-      const int from_x = x - dx, from_y = y - dy;
-      if (std::min(from_x, from_y) < 0 || std::max(from_x, from_y) >= kCropSide) continue;
-      const auto to = static_cast<std::size_t>(y * kCropSide + x);
-      const auto from = static_cast<std::size_t>(from_y * kCropSide + from_x);
-      for (CropPlane HandCrop::*plane : {&HandCrop::gray, &HandCrop::mask, &HandCrop::scene})
-        (result.*plane)[to] = (crop.*plane)[from];
-    }
-  }
-  return result;
-}
-
-// The direction of a code, of length 1.
-Eigen::VectorXd direction(const Embedding& code) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(code.size()));
-  for (std::size_t i = 0; i < code.size(); ++i)
-    values[static_cast<Eigen::Index>(i)] = code[i] - 128;
-  return values.normalized();
-}
-
-TEST(EmbeddingNet, AQueryHasTheMeanDirectionOfTheCropMovedToItsCorners) {
-  const EmbeddingNet net = EmbeddingNet::parse(small_net(3).bytes(), "net");
-  const HandCrop crop = random_crop(4);
-  std::vector<Eigen::VectorXd> codes;
-  for (const auto& [dx, dy] : {std::pair{-1, -1}, {1, -1}, {-1, 1}, {1, 1}})
-    codes.push_back(direction(net.describe(moved(crop, dx, dy))));
-  const Eigen::VectorXd mean = (codes[0] + codes[1] + codes[2] + codes[3]).normalized();
-  const double cosine = mean.dot(direction(net.describe_query(crop)));
-  EXPECT_GT(cosine, 0.995);  // codes are rounded to bytes
-  for (const Eigen::VectorXd& code : codes) EXPECT_LT(mean.dot(code), cosine);
 }
 
 TEST(EmbeddingNet, ABlackPictureHasACode) {

@@ -28,10 +28,10 @@ using testing::PlainOptions;
 class CodeTracker : public ::testing::Test {
  protected:
   CodeTracker() {
-    write_text(directory_ / "toy.safetensors", testing::small_net(2).bytes());
+    write_text(directory_ / "toy.safetensors", testing::small_net(1).bytes());
     const EmbeddingNet net = EmbeddingNet::load(directory_ / "toy.safetensors");
     weights_ = net.hash();
-    seen_code_ = net.describe_query(picture_.gray, picture_.mask).value();
+    seen_code_ = net.describe(picture_.gray, picture_.mask).value();
   }
 
   Row row(double turn_deg, double byte_per_deg) const {
@@ -111,11 +111,11 @@ TEST_F(CodeTracker, MergedAnswersFollowTheLineOfPosesOverCodes) {
 }
 
 TEST_F(CodeTracker, OptionsAndConfidenceAreThoseOfCodes) {
-  write({1}, 15);  // in 64 bytes
+  write({1}, 14);  // in 64 bytes
   EXPECT_EQ(descriptor_kind(*database_), DescriptorKind::kLearned);
   const TrackerOptions tuned = tuned_options(TemporalModel::kKde, DescriptorKind::kLearned);
   const Estimate estimate = answer(tuned);
-  EXPECT_NEAR(estimate.distance, 15 * 8 / 255.0, 1e-6);
+  EXPECT_NEAR(estimate.distance, 14 * 8 / 255.0, 1e-6);
   EXPECT_NEAR(estimate.confidence, 0.5, 0.05);
   EXPECT_TRUE(estimate.valid);
 

@@ -42,14 +42,14 @@ class DescriberTest : public ::testing::Test {
   Picture picture_ = random_picture(1, 60, 80, 3);
 };
 
-TEST_F(DescriberTest, DescribesAQueryAsTheRowsWere) {
+TEST_F(DescriberTest, DescribesAsTheRowsWere) {
   const Describer hog(database_of(testing::toy_info()));
   const Descriptor expected = describe(picture_.gray, picture_.mask, HogMode::kPaper);
   EXPECT_TRUE(std::ranges::equal(hog.describe(picture_.gray, picture_.mask), expected));
 
   const Describer net(database_of(learned()), weights_);
   EXPECT_EQ(net.describe(picture_.gray, picture_.mask),
-            EmbeddingNet::load(weights_).describe_query(
+            EmbeddingNet::load(weights_).describe(
                 crop_hand(picture_.gray, picture_.mask, *crop_square(picture_.mask))));
 }
 

@@ -9,11 +9,12 @@ namespace graspdb::testing {
 struct PlainOptions {
   TemporalModel temporal = TemporalModel::kKde;
   int neighbors = 20, kept = 20;
-  double sigma_hog = 1, sigma_stretch = 0.15, merge_deg = 0, max_distance = 5;
+  double sigma_hog = 1, sigma_stretch = 0.15, merge_deg = 0, max_distance = 5, roll_deg = 0;
 
   operator TrackerOptions() const {
     return {.temporal = temporal,
             .neighbors = neighbors,
+            .roll_deg = roll_deg,
             .kept = kept,
             .sigma_hog = sigma_hog,
             .sigma_stretch = sigma_stretch,

@@ -7,6 +7,7 @@
 
 #include "graspdb/core/error.h"
 #include "tracker/bars.h"
+#include "tracker/one_row.h"
 #include "tracker/plain_options.h"
 
 namespace graspdb {
@@ -16,6 +17,7 @@ using testing::bar;
 using testing::BarPicture;
 using testing::kCamera;
 using testing::kSide;
+using testing::OneRow;
 
 class BarTracker : public testing::BarDatabase {
  protected:
@@ -96,19 +98,6 @@ TEST_F(BarTracker, ThePastDecidesWhatThePictureLeavesOpen) {
   show(blind, thin());
   EXPECT_EQ(show(blind, bar(angle_of(kFlipped))).row, 2u);
 }
-
-// Knows one row only.
-class OneRow : public Search {
- public:
-  OneRow(const Database& database, std::uint32_t row) : database_(database), row_(row) {}
-  std::vector<Neighbor> nearest(DescriptorView query, int /*k*/) const override {
-    return measure(database_, query, std::span(&row_, 1));
-  }
-
- private:
-  const Database& database_;
-  std::uint32_t row_;
-};
 
 TEST_F(BarTracker, SuccessorsAreWeighedThoughTheSearchMissesThem) {
   const OneRow search(*database_, 1);

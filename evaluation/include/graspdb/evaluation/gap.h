@@ -3,11 +3,11 @@
 // adds up to it. docs/evaluation.md explains them.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "graspdb/evaluation/baselines.h"
+#include "graspdb/tracker/tracker.h"
 
 namespace graspdb {
 
@@ -15,7 +15,9 @@ using PoseMetric = double (*)(const Pose& estimate, const Pose& truth);
 
 struct Gap {
   // By stage.
-  double retrieval = 0;   // best of the rows that were retrieved, less the oracle; >= 0
+  // Best of the rows that were retrieved, less the oracle; >= 0 but where a rolled look found what
+  // the oracle, which looks at the frame as it is, does not.
+  double retrieval = 0;
   double choice = 0;      // the row that was chosen, less the best of the retrieved ones; >= 0
   double placement = 0;   // the answer, less its row seen where the palm truly is
   double unanswered = 0;  // the whole gap of a frame without an answer
@@ -29,9 +31,9 @@ struct Gap {
 struct GapInput {
   const PoseGrid& grid;
   const Pose& truth;
-  const Pose& answer;                   // without an answer: what stands for it
-  std::span<const std::uint32_t> rows;  // retrieved, the chosen one first; none: no answer
-  GridPlace best;                       // the row that gives the oracle
+  const Pose& answer;                      // without an answer: what stands for it
+  std::span<const Hypothesis> hypotheses;  // retrieved, the chosen one first; none: no answer
+  GridPlace best;                          // the row that gives the oracle
 };
 Gap split_gap(const GapInput& input, PoseMetric metric);
 

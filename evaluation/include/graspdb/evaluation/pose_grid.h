@@ -30,8 +30,9 @@ class PoseGrid {
   std::size_t rows() const { return views_.size() * pose_of_block_.size(); }
 
   // This pose and view where the true palm is: the view turned from the camera's axis to the ray
-  // to the palm centre, the palm centre there.
-  Pose seen(std::size_t pose, std::size_t view, const Pose& truth) const;
+  // to the palm centre, the palm centre there. Of a frame that looks like them once turned
+  // clockwise by roll_deg.
+  Pose seen(std::size_t pose, std::size_t view, const Pose& truth, double roll_deg = 0) const;
 
  private:
   std::vector<Eigen::Matrix3d> views_;  // camera_from_hand of a camera that looks at the palm

@@ -34,11 +34,6 @@ class EmbeddingNet {
   Embedding describe(const HandCrop& crop) const;
   // The same of the mask's crop; none for an empty mask.
   std::optional<Embedding> describe(const GrayImage& gray, const Mask& mask) const;
-  // For what is looked for among rows: the mean direction of the crop moved by a pixel to its four
-  // corners. To a net with strides a picture moved by a pixel is another one (Zhang 2019), and the
-  // mean is nearer to the right rows; four times the work. Rows need it not.
-  Embedding describe_query(const HandCrop& crop) const;
-  std::optional<Embedding> describe_query(const GrayImage& gray, const Mask& mask) const;
 
  private:
   struct State;

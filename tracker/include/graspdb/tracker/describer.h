@@ -14,9 +14,8 @@ namespace graspdb {
 // directory.
 std::filesystem::path weights_file(const std::string& descriptor);
 
-// Describes a picture that is looked for among the rows of a database: with the weights of their
-// embeddings (EmbeddingNet::describe_query) where it has them, else as its HOGs are made.
-// Immutable; thread-safe; needs the database no longer.
+// Describes a picture as the rows of a database are: with the weights of its embeddings where it
+// has them, else as its HOGs are made. Immutable; thread-safe; needs the database no longer.
 class Describer {
  public:
   // `weights` empty: the file that the database names. Throws Error for weights that are not those

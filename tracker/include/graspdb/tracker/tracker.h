@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -38,12 +39,14 @@ std::string temporal_name(TemporalModel model);             // "none", "gaussian
 TemporalModel temporal_from_name(const std::string& name);  // throws Error
 
 // No value is right for every temporal model: start from tuned_options(). What is left at 0 is
-// refused, but for merge_deg.
+// refused, but for roll_deg and merge_deg.
 struct TrackerOptions {
   TemporalModel temporal = TemporalModel::kKde;
-  int neighbors = 0;         // k, 1..1000
-  int kept = 0;              // hypotheses, the heaviest, that the next frame remembers, 1..1000
-  double sigma_hog = 0;      // of the descriptor distance (a row's 255 counts as 1), .01..100
+  int neighbors = 0;     // k, of each look at a frame, 1..1000
+  double roll_deg = 0;   // a frame is looked at as it is and rolled by so much either way, 0..90;
+                         // 0: as it is alone
+  int kept = 0;          // hypotheses, the heaviest, that the next frame remembers, 1..1000
+  double sigma_hog = 0;  // of the descriptor distance (a row's 255 counts as 1), .01..100
   double sigma_stretch = 0;  // of the logarithm of the box's aspect ratio over the row's, .01..100
   double sigma_pose = 0;     // of the pose vector around the previous answer, .01..100
   double bandwidth = 0;      // of the pose vector around each previous hypothesis, .01..100
@@ -68,8 +71,10 @@ struct TrackerNumber {
   const char* help;
   bool tuned = true;  // scripts/tune.py chooses it
 };
-inline constexpr std::array<TrackerNumber, 8> kTrackerNumbers = {
+inline constexpr std::array<TrackerNumber, 9> kTrackerNumbers = {
     {{"neighbours", "-k,--neighbours", &TrackerOptions::neighbors, 1, 1000, "Neighbours looked up"},
+     {"roll_deg", "--roll", &TrackerOptions::roll_deg, 0, 90,
+      "Frames are looked at rolled by so much either way, too, degrees; 0: not"},
      {"kept", "--kept", &TrackerOptions::kept, 1, 1000, "Hypotheses that the next frame remembers"},
      {"sigma_hog", "--sigma-hog", &TrackerOptions::sigma_hog, 0.01, 100,
       "Of the descriptor distance"},
@@ -99,7 +104,8 @@ struct Observation {
 
 struct Hypothesis {
   std::uint32_t row = 0;
-  double weight = 0;  // they sum to 1
+  double roll_deg = 0;  // turned by so much, clockwise, the frame looks like the row
+  double weight = 0;    // they sum to 1
 };
 
 struct StageTimes {  // milliseconds
@@ -119,7 +125,8 @@ struct Estimate {
   DescriptorBytes descriptor;  // of the mask's pixels; of a left hand in the mirror
   // The answer: the heaviest hypothesis; where some are merged, its pose and place lie between.
   std::uint32_t row = 0;
-  double distance = 0;           // of the nearest descriptor
+  double roll_deg = 0;           // as Hypothesis has it
+  double distance = 0;           // of the nearest descriptor, however the frame is rolled
   int grasp = 0;                 // id, of the row
   double grasp_probability = 0;  // the weight of all hypotheses of that grasp
   int step = 0;
@@ -150,17 +157,22 @@ class Tracker {
   Estimate step(const Observation& seen);
 
  private:
+  struct Look;
   struct Candidate;
 
   bool read(const Observation& seen, Estimate& estimate);
-  std::vector<Neighbor> neighbors_of(DescriptorView query) const;
-  std::vector<Candidate> look_up(const std::vector<Neighbor>& neighbors, const Box& box,
-                                 const Intrinsics& camera) const;
+  std::vector<Look> look_at(const Observation& seen, const Box& box) const;
+  void find_neighbors(std::vector<Look>& looks) const;
+  void add_successors(Look& look) const;
+  static double nearest_distance(const std::vector<Look>& looks);
+  std::vector<Candidate> look_up(const std::vector<Look>& looks) const;
+  std::optional<Candidate> candidate_of(const Neighbor& neighbor, const Look& look) const;
   void check_row(std::uint32_t row) const;
   double log_prior(const PoseVector& pose) const;
   static void put_heaviest_first(std::vector<Candidate>& candidates);
   void weigh(std::vector<Candidate>& candidates) const;
-  Candidate merged(const std::vector<Candidate>& candidates, DescriptorView query) const;
+  static const Look& look_of(const Candidate& candidate, const std::vector<Look>& looks);
+  Candidate merged(const std::vector<Candidate>& candidates, const std::vector<Look>& looks) const;
   void answer(const std::vector<Candidate>& candidates, const Candidate& best,
               const Intrinsics& camera, Estimate& estimate) const;
   void remember(std::vector<Candidate> candidates, const Candidate& best);
