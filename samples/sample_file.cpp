@@ -12,6 +12,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr std::size_t kWrittenAtOnce = 1 << 20;  // bytes: they stay in a cache
+
 template <typename T>
 void put(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
@@ -83,7 +85,12 @@ void write(const std::filesystem::path& path, std::span<const Sample> samples,
   file.write(safetensors_header(tensors, metadata));
   for (const Field& field : all) {
     std::string bytes;
-    for (const Sample& sample : samples) field.put_sample(sample, bytes);
+    for (const Sample& sample : samples) {
+      field.put_sample(sample, bytes);
+      if (bytes.size() < kWrittenAtOnce) continue;
+      file.write(bytes);
+      bytes.clear();
+    }
     file.write(bytes);
   }
   file.commit();
