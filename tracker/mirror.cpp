@@ -19,8 +19,9 @@ Observation mirrored(const Observation& seen) {
 Estimate mirrored(Estimate estimate, int image_width) {
   if (estimate.box.width == 0) return estimate;
   const Eigen::Vector3d flip(-1, 1, 1);
-  estimate.roll_deg *= -1;
-  for (Hypothesis& hypothesis : estimate.hypotheses) hypothesis.roll_deg *= -1;
+  // Less than nothing, not times -1: 0 stays 0, not -0.
+  estimate.roll_deg = 0 - estimate.roll_deg;
+  for (Hypothesis& hypothesis : estimate.hypotheses) hypothesis.roll_deg = 0 - hypothesis.roll_deg;
   estimate.box.x = image_width - estimate.box.x - estimate.box.width;
   Eigen::Matrix3d& rotation = estimate.camera_from_hand.rotation;
   rotation = (flip.asDiagonal() * rotation * flip.asDiagonal()).eval();

@@ -59,10 +59,8 @@ Observation rolled(const Observation& seen, const Box& hand, double roll_deg) {
   const cv::Matx23d affine(to_image(0, 0), to_image(0, 1), to_image(0, 2), to_image(1, 0),
                            to_image(1, 1), to_image(1, 2));
   Mask mask = resampled(seen.hand, affine, camera.width);
-  std::ranges::replace_if(
-      mask, [](std::uint8_t share) { return share > 127; }, std::uint8_t{255});
-  std::ranges::replace_if(
-      mask, [](std::uint8_t share) { return share <= 127; }, std::uint8_t{0});
+  cv::Mat shares = as_mat(mask);
+  cv::threshold(shares, shares, 127, 255, cv::THRESH_BINARY);
   return {resampled(seen.gray, affine, camera.width), std::move(mask), camera};
 }
 

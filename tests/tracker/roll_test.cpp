@@ -126,6 +126,11 @@ TEST_F(RolledTracker, TheRollOfALeftHandIsThatOfItsOwnFrame) {
   EXPECT_EQ(a.roll_deg, -30);
   EXPECT_EQ(b.roll_deg, 30);
   EXPECT_EQ(b.hypotheses.front().roll_deg, 30);
+
+  const BarPicture as_it_is = bar(radians(20));
+  const Estimate c = other.read({mirrored(as_it_is.gray), mirrored(as_it_is.mask), kCamera});
+  EXPECT_EQ(c.roll_deg, 0);
+  EXPECT_FALSE(std::signbit(c.roll_deg));  // JSON would have -0.0
 }
 
 }  // namespace
