@@ -15,9 +15,12 @@ Mask add_segmentation_noise(const Mask& hand, double alpha_percent, std::uint64_
   if (alpha_percent == 0) return noisy;
   RandomStream random(seed, frame);
   for (std::uint8_t& pixel : noisy) {
-    // Drawn for every pixel, so that a pixel's fate does not depend on the others.
-    const bool dropped = random.uniform() < alpha_percent / 100;
-    if (dropped) pixel = 0;
+    // A number for every pixel, so that a pixel's fate does not depend on the others.
+    if (pixel == 0) {
+      random.skip();
+    } else if (random.uniform() < alpha_percent / 100) {
+      pixel = 0;
+    }
   }
   const cv::Mat image(noisy.height(), noisy.width(), CV_8U, noisy.data());
   const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {3, 3});

@@ -18,6 +18,13 @@ TEST(Random, TheSameSeedAndStreamGiveTheSameNumbers) {
   EXPECT_NE(first, other.bits());
 }
 
+TEST(Random, ASkippedNumberIsTheOneThatWouldHaveCome) {
+  RandomStream a(7, 3), b(7, 3);
+  a.bits();
+  b.skip();
+  EXPECT_EQ(a.bits(), b.bits());
+}
+
 TEST(Random, MomentsAreThoseOfTheDistributions) {
   RandomStream random(0);
   const int n = 200000;

@@ -17,6 +17,7 @@ class RandomStream {
   double uniform(double low, double high);   // [low, high)
   double normal();                           // mean 0, standard deviation 1
   std::uint64_t below(std::uint64_t bound);  // 0 <= n < bound, bound > 0
+  void skip() { ++counter_; }                // as bits(), for one that is not looked at
 
  private:
   std::uint64_t key_;
