@@ -17,14 +17,18 @@ namespace {
 constexpr int kMostSamples = 500'000;
 
 struct SampleArguments {
-  std::string out, sheet, config, sequences, photoreal, descriptor;
+  std::string out, sheet, config, sequences, photoreal, hog, descriptor;
   std::uint64_t first = 0;
   int count = 10'000, threads = 0;
 };
 
 void describe(const SampleArguments& options, std::span<Sample> samples) {
-  if (options.descriptor.empty()) return;
-  describe_samples(EmbeddingNet::load(options.descriptor), samples, options.threads);
+  if (!options.hog.empty()) {
+    describe_samples(hog_from_name(options.hog, "--hog"), samples, options.threads);
+  }
+  if (!options.descriptor.empty()) {
+    describe_samples(EmbeddingNet::load(options.descriptor), samples, options.threads);
+  }
 }
 
 void write_sheet(const SampleArguments& options, std::span<const Sample> samples) {
@@ -80,6 +84,8 @@ void add_samples(CLI::App& app) {
       ->needs(sequences);
   verb->add_option("--descriptor", options->descriptor,
                    "A file of weights: the samples have its codes, too");
+  verb->add_option("--hog", options->hog, "The samples have the HOG of their crop, too")
+      ->check(one_of({"paper", "soft-edges"}));
   verb->add_option("--threads", options->threads, "Threads, 0 for all processors; changes no byte")
       ->check(range(0, 1024));
   verb->footer(

@@ -43,6 +43,11 @@ Field codes(std::size_t bytes) {
           }};
 }
 
+Field hogs() {
+  return {{"hog", "U8", {kDescriptorSize}},
+          [](const Sample& s, std::string& to) { to.append(s.hog->begin(), s.hog->end()); }};
+}
+
 std::vector<Field> fields() {
   using S = const Sample&;
   using B = std::string&;
@@ -75,6 +80,7 @@ void write(const std::filesystem::path& path, std::span<const Sample> samples,
   std::vector<Field> all = fields();
   const std::size_t code = samples.empty() ? 0 : samples.front().embedding.size();
   if (code > 0) all.push_back(codes(code));
+  if (!samples.empty() && samples.front().hog) all.push_back(hogs());
   std::vector<TensorInfo> tensors;
   for (const Field& field : all) {
     tensors.push_back(field.info);

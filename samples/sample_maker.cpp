@@ -92,6 +92,15 @@ Sample draw_sample(const PosedSample& posed, const SampleConfig& config, RandomS
   throw Error("samples: a hand that no camera sees");
 }
 
+Descriptor hog_of(const HandCrop& crop, HogMode mode) {
+  GrayImage gray(kCropSide, kCropSide);
+  Mask mask(kCropSide, kCropSide);
+  std::ranges::copy(crop.gray, gray.begin());
+  std::ranges::transform(crop.mask, mask.begin(),
+                         [](std::uint8_t share) { return share > 127 ? 255 : 0; });
+  return describe(gray, mask, mode);
+}
+
 }  // namespace
 
 struct SampleMaker::State {
@@ -138,6 +147,11 @@ void SampleMaker::make(std::uint64_t first, std::span<Sample> samples, int threa
 void describe_samples(const EmbeddingNet& net, std::span<Sample> samples, int threads) {
   parallel_for(samples.size(), threads,
                [&](std::size_t i) { samples[i].embedding = net.describe(samples[i].crop); });
+}
+
+void describe_samples(HogMode mode, std::span<Sample> samples, int threads) {
+  parallel_for(samples.size(), threads,
+               [&](std::size_t i) { samples[i].hog = hog_of(samples[i].crop, mode); });
 }
 
 }  // namespace graspdb

@@ -165,6 +165,24 @@ TEST(SampleMaker, ItsFileHoldsWhatWasDrawn) {
   EXPECT_FLOAT_EQ(joints[63 + 3 + 2], static_cast<float>(samples[1].joints(2, 1)));
 }
 
+TEST(DescribeSamples, AHogIsThatOfTheCrop) {
+  const TemporaryDirectory directory;
+  const SampleMaker maker(quick_config());
+  std::vector<Sample> samples = made(maker, 5, 3);
+  describe_samples(HogMode::kPaper, samples);
+  GrayImage gray(kCropSide, kCropSide);
+  Mask mask(kCropSide, kCropSide);
+  for (std::size_t i = 0; i < kCropPixels; ++i) {
+    gray.data()[i] = samples[1].crop.gray[i];
+    mask.data()[i] = samples[1].crop.mask[i] >= 128 ? 255 : 0;
+  }
+  EXPECT_EQ(*samples[1].hog, describe(gray, mask, HogMode::kPaper));
+  write_samples(directory / "s.safetensors", samples, quick_config(), 5, maker.assets());
+  const Safetensors file = Safetensors::load(directory / "s.safetensors", 1 << 20);
+  const auto hog = file.tensor<std::uint8_t>({"hog", "U8", {3, 512}});
+  EXPECT_TRUE(std::equal(samples[2].hog->begin(), samples[2].hog->end(), hog.begin() + 1024));
+}
+
 TEST(CropFromCamera, TurnsTheRayThroughTheMiddleToTheAxis) {
   const Intrinsics camera{640, 480, 500, 510, 319.5, 239.5};
   const CropSquare square{2 * 400, 2 * 30, 90};

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "graspdb/core/progress.h"
 #include "graspdb/features/crop.h"
 #include "graspdb/features/embedding.h"
+#include "graspdb/features/hog.h"
 #include "graspdb/hand/angles.h"
 #include "graspdb/hand/skeleton.h"
 #include "graspdb/samples/sample_config.h"
@@ -34,6 +36,7 @@ struct Sample {
   bool held = false;                     // is an object in the hand
   double hidden = 0;                     // share of the hand that its object hides; of sequences
   std::uint32_t sequence = 0;            // of sequences: ordinal among those of the file
+  std::optional<Descriptor> hog;         // until describe_samples()
   Embedding embedding;                   // empty until describe_samples()
 };
 
@@ -73,6 +76,8 @@ SequenceSamples sequence_samples(const std::filesystem::path& folder,
 
 // Gives each its code by this net.
 void describe_samples(const EmbeddingNet& net, std::span<Sample> samples, int threads = 0);
+// Gives each the HOG of its crop.
+void describe_samples(HogMode mode, std::span<Sample> samples, int threads = 0);
 
 // Writes a safetensors file, aside and renamed (docs/samples.md).
 void write_samples(const std::filesystem::path& file, std::span<const Sample> samples,
