@@ -62,7 +62,7 @@ void add_sequence(CLI::App& app) {
     if (options->close) keep_closed(load(*options));
     if (options->out.empty() && options->meshes.empty()) return;
     const SequenceRenderer renderer(load(*options));
-    if (!options->meshes.empty()) write_meshes(renderer, options->meshes);
+    if (!options->meshes.empty()) write_meshes(mesh_frames(renderer), options->meshes);
     if (options->out.empty()) return;
     write_sequence(renderer, options->out, options->noise, console_progress("rendered", "frames"));
     fmt::print("{}: {} frames\n", options->out, renderer.spec().frame_count());

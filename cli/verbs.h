@@ -22,6 +22,7 @@ void add_merge(CLI::App& app);
 void add_query(CLI::App& app);
 void add_render(CLI::App& app);
 void add_samples(CLI::App& app);
+void add_scenes(CLI::App& app);
 void add_sequence(CLI::App& app);
 void add_track(CLI::App& app);
 void add_tune(CLI::App& app);

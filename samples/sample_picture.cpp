@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "crop_frame.h"
+#include "draw_rotation.h"
 #include "graspdb/core/opencv/opencv_image.h"
 #include "graspdb/core/transform.h"
 #include "mask_errors.h"
@@ -16,11 +17,6 @@ namespace {
 
 // Of a crop's pixels, less of a hand tells nothing.
 constexpr int kFewestPixels = 150;
-
-Eigen::Matrix3d draw_rotation(RandomStream& random) {
-  const double w = random.normal(), x = random.normal(), y = random.normal(), z = random.normal();
-  return Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
-}
 
 Light draw_light(const SampleConfig& config, RandomStream& random) {
   Light light;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <bit>
 #include <span>
 
 #include "graspdb/core/file.h"
 #include "graspdb/core/folder.h"
 #include "graspdb/core/json/json_numbers.h"
+#include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/sequence.h"
 
 namespace graspdb {
@@ -18,10 +21,11 @@ static_assert(std::endian::native == std::endian::little);
 constexpr const char* kHeader = "meshes.json";
 
 FolderContent meshes_content() {
-  return {.kind = "a sequence's meshes",
+  return {.kind = "meshes of frames",
           .marker = ".graspdb-meshes",
           .files = {kHeader, "hand_triangles.u32", "hand_bind.f32", "hand_bones.u8",
-                    "hand_vertices.f32", "object_triangles.u32", "object_vertices.f32"}};
+                    "hand_vertices.f32", "object_triangles.u32", "object_vertices.f32",
+                    "labels/" + digits(6) + ".png"}};
 }
 
 template <typename Value>
@@ -54,11 +58,10 @@ json bones_at_bind(const Hand& hand) {
 }
 
 // Those of all frames, in the camera frame.
-void write_hand_vertices(const SequenceRenderer& renderer, const fs::path& file) {
+void write_hand_vertices(const MeshFrames& meshes, const fs::path& file) {
   FileAside out(file);
-  for (int i = 0; i < renderer.spec().frame_count(); ++i) {
-    const FrameGeometry frame = renderer.geometry(i);
-    std::vector<Eigen::Vector3f> vertices = pose_skin(renderer.hand(), frame.pose.angles).vertices;
+  for (const FrameGeometry& frame : meshes.frames) {
+    std::vector<Eigen::Vector3f> vertices = pose_skin(meshes.hand, frame.pose.angles).vertices;
     for (Eigen::Vector3f& vertex : vertices)
       vertex = (frame.camera_from_hand * vertex.cast<double>()).cast<float>();
     out.write(std::as_bytes(std::span(vertices)));
@@ -66,35 +69,60 @@ void write_hand_vertices(const SequenceRenderer& renderer, const fs::path& file)
   out.commit();
 }
 
+void write_labels(const MeshFrames& meshes, const fs::path& folder) {
+  if (meshes.labels.empty()) return;
+  fs::create_directory(folder);
+  for (std::size_t i = 0; i < meshes.labels.size(); ++i)
+    write_png(folder / fmt::format("{:06}.png", i), meshes.labels[i]);
+}
+
+json describe(const MeshFrames& meshes) {
+  json header = {{"name", meshes.name},
+                 {"frames_per_second", meshes.frames_per_second},
+                 {"visible_forearm_m", meshes.visible_forearm},
+                 {"camera", camera_json(meshes.camera)},
+                 {"skin_bgr", numbers(meshes.skin_bgr)},
+                 {"object_bgr", numbers(meshes.object_bgr)},
+                 {"hand", sizes(meshes.hand.bind_mesh)},
+                 {"bones", bones_at_bind(meshes.hand)},
+                 {"object", meshes.object ? sizes(meshes.object->mesh()) : json()},
+                 {"frames", json::array()}};
+  for (const FrameGeometry& frame : meshes.frames)
+    header["frames"].push_back(describe_frame(meshes.hand, frame));
+  return header;
+}
+
 }  // namespace
 
-void write_meshes(const SequenceRenderer& renderer, const fs::path& directory) {
-  const SequenceSpec& spec = renderer.spec();
-  const Hand& hand = renderer.hand();
+void write_meshes(const MeshFrames& meshes, const fs::path& directory) {
   renew_folder(directory, meshes_content());
+  const Hand& hand = meshes.hand;
   write_array(directory / "hand_triangles.u32", hand.bind_mesh.triangles);
   write_array(directory / "hand_bind.f32", hand.bind_mesh.vertices);
   write_array(directory / "hand_bones.u8", strongest_bones(hand));
-  write_hand_vertices(renderer, directory / "hand_vertices.f32");
-  json header = {{"name", spec.name},
-                 {"frames_per_second", spec.frames_per_second},
-                 {"visible_forearm_m", spec.visible_forearm},
-                 {"camera", camera_json(spec.camera)},
-                 {"skin_bgr", numbers(spec.look.skin_bgr)},
-                 {"object_bgr", numbers(spec.look.object_bgr)},
-                 {"hand", sizes(hand.bind_mesh)},
-                 {"bones", bones_at_bind(hand)},
-                 {"object", nullptr},
-                 {"frames", json::array()}};
-  if (spec.object_visible) {
-    const Mesh& object = spec.grasp.object->mesh();
-    write_array(directory / "object_triangles.u32", object.triangles);
-    write_array(directory / "object_vertices.f32", object.vertices);
-    header["object"] = sizes(object);
+  write_hand_vertices(meshes, directory / "hand_vertices.f32");
+  if (meshes.object) {
+    write_array(directory / "object_triangles.u32", meshes.object->mesh().triangles);
+    write_array(directory / "object_vertices.f32", meshes.object->mesh().vertices);
   }
-  for (int i = 0; i < spec.frame_count(); ++i)
-    header["frames"].push_back(describe_frame(hand, renderer.geometry(i)));
-  write_text(directory / kHeader, header.dump(1) + "\n");
+  write_labels(meshes, directory / "labels");
+  write_text(directory / kHeader, describe(meshes).dump(1) + "\n");
+}
+
+MeshFrames mesh_frames(const SequenceRenderer& renderer) {
+  const SequenceSpec& spec = renderer.spec();
+  MeshFrames meshes{.name = spec.name,
+                    .frames_per_second = spec.frames_per_second,
+                    .camera = spec.camera,
+                    .hand = renderer.hand(),
+                    .visible_forearm = spec.visible_forearm,
+                    .object = spec.object_visible ? spec.grasp.object : nullptr,
+                    .skin_bgr = spec.look.skin_bgr,
+                    .object_bgr = spec.look.object_bgr,
+                    .frames = {},
+                    .labels = {}};
+  for (int i = 0; i < spec.frame_count(); ++i) meshes.frames.push_back(renderer.geometry(i));
+  return meshes;
 }
 
 }  // namespace graspdb

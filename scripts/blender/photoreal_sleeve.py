@@ -1,26 +1,27 @@
 # SPDX-License-Identifier: MIT
-"""A sleeve from where the visible forearm ends, over the elbow, out of the picture."""
+"""A sleeve, or a bare arm, from where the visible forearm ends, over the elbow, out of the picture."""
 import numpy as np
 import photoreal_hand
 
 SIDES = 40
 ELBOW_M = 0.26  # from the wrist
-UPPER_ARM_M = 0.45
 STEP_M = 0.008
 
 
 class Sleeve:
     """Vertices in the camera frame."""
 
-    def __init__(self, meshes, material, rng):
+    def __init__(self, meshes, material, rng, upper_arm_m, bare=False):
         self.meshes = meshes
         self.centre, self.radii = forearm_section(meshes)
         down = -meshes.camera_from_forearm[:, :, 1].mean(axis=0)
         down[2] = 0.0  # out of the picture, neither towards the camera nor into the wall
         self.body = down / np.linalg.norm(down)
-        self.distances = np.arange(0, ELBOW_M + UPPER_ARM_M, STEP_M)
-        self.folds = folds(rng, len(self.distances))
+        self.distances = np.arange(0, ELBOW_M + upper_arm_m, STEP_M)
+        self.folds = np.ones((len(self.distances), SIDES)) if bare else folds(rng, len(self.distances))
         self.thing = photoreal_hand.add_mesh("sleeve", self.vertices(0), self.triangles(), material)
+        if bare:
+            photoreal_hand.store(self.thing, "bind", self.in_forearm(0))
 
     def move_to(self, frame):
         photoreal_hand.move_vertices(self.thing, self.vertices(frame))
@@ -35,6 +36,10 @@ class Sleeve:
         for i, (point, tangent) in enumerate(zip(points, tangents)):
             rings.append(self.ring(point, tangent, pose, self.folds[i], self.distances[i]))
         return np.concatenate(rings)
+
+    def in_forearm(self, frame):
+        pose = self.meshes.camera_from_forearm[frame]
+        return (self.vertices(frame) - pose[:, 3]) @ pose[:, :3]
 
     def arm(self, start, along):
         """The arm's axis: straight to the elbow, then bent towards the body."""

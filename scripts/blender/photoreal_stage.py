@@ -6,6 +6,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+import photoreal_clutter
 import photoreal_hand
 import photoreal_room
 import photoreal_shading as shading
@@ -14,6 +15,7 @@ from photoreal_sleeve import Sleeve
 
 BLENDER_FROM_OPENCV = Matrix(((1, 0, 0, 0), (0, -1, 0, 0), (0, 0, -1, 0), (0, 0, 0, 1)))
 BORDER_PX = 6
+ROOMS = {"desk": photoreal_room.build, "clutter": photoreal_clutter.build}
 
 
 class Studio:
@@ -61,7 +63,9 @@ class Studio:
     def add_sleeve(self):
         if not self.look["sleeve"]:
             return None
-        sleeve = Sleeve(self.meshes, shading.cloth(self.look["sleeve"]), self.rng)
+        bare = self.look["arm"] == "bare"
+        material = shading.skin(self.look) if bare else shading.cloth(self.look["sleeve"])
+        sleeve = Sleeve(self.meshes, material, self.rng, self.look["upper_arm_m"], bare)
         sleeve.thing.matrix_world = self.world_from_opencv
         return sleeve
 
@@ -132,7 +136,7 @@ class Studio:
 
     def plate(self):
         """The room without anybody, height x width x 3, linear."""
-        self.room = self.room or photoreal_room.build(self.look, self.rng, self.view())
+        self.room = self.room or ROOMS[self.look["room"]](self.look, self.rng, self.view())
         self.show(self.room)
         self.scene.render.film_transparent = False
         self.scene.render.use_border = False

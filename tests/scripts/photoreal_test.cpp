@@ -38,7 +38,7 @@ class Photoreal : public ::testing::Test {
     if (!testing::has_blender()) GTEST_SKIP() << testing::kNoBlender;
     if (!has_opencv()) GTEST_SKIP() << "no cv2 for Blender's Python (Debian: python3-opencv)";
     const SequenceRenderer renderer(two_frames());
-    write_meshes(renderer, folder_ / "meshes");
+    write_meshes(mesh_frames(renderer), folder_ / "meshes");
     write_sequence(renderer, folder_ / "seq", {});
   }
 
@@ -76,6 +76,57 @@ TEST_F(Photoreal, FramesThatAreMissingAreRendered) {
   const ColorImage photo = read_color(folder_ / "photos/000000.jpg");
   EXPECT_EQ(photo.width(), 320);
   EXPECT_EQ(photo.height(), 240);
+}
+
+// Two frames as `graspdb scenes` writes them.
+class PhotorealScenes : public Photoreal {
+ protected:
+  void SetUp() override {
+    Photoreal::SetUp();
+    if (IsSkipped()) return;
+    const SequenceRenderer renderer(two_frames());
+    MeshFrames scene = mesh_frames(renderer);
+    for (int i = 0; i < 2; ++i) {
+      scene.labels.push_back(renderer.render(i).hand);
+      for (std::uint8_t& label : scene.labels.back()) label /= 255;
+    }
+    write_meshes(scene, folder_ / "scenes/000007");
+    labels_ = scene.labels;
+  }
+
+  testing::BlenderOutcome render() const {
+    return testing::run_blender(
+        "", "scripts/blender/photoreal_scenes.py",
+        {folder("scenes"), kSource / "scripts/blender/photoreal.toml", folder("out")});
+  }
+
+  std::vector<Image<std::uint8_t>> labels_;
+};
+
+TEST_F(PhotorealScenes, EveryFrameHasAPhotographWithLabels) {
+  const testing::BlenderOutcome outcome = render();
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string number = std::to_string(i);
+    const ColorImage photo = read_color(folder_ / ("out/000007/photo" + number + ".jpg"));
+    EXPECT_EQ(photo.width(), 320);
+    const Levels labels = read_levels(folder_ / ("out/000007/labels" + number + ".png"));
+    std::size_t arm = 0;
+    for (std::size_t p = 0; p < photo.size(); ++p) {
+      const int label = labels.gray.data()[p], drawn = labels_[i].data()[p];
+      EXPECT_TRUE(label == drawn || (drawn == 0 && label >= 2)) << label << " at " << p;
+      arm += label >= 2;
+    }
+    EXPECT_GT(arm, 100u);  // beyond the forearm that the sequence shows
+    EXPECT_TRUE(std::filesystem::exists(folder_ / ("out/000007/front" + number + ".png")));
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/000007/room.png"));
+}
+
+TEST_F(PhotorealScenes, ScenesThatAreThereAreKept) {
+  std::filesystem::create_directories(folder("out/000007"));
+  ASSERT_EQ(render().code, 0);
+  EXPECT_TRUE(std::filesystem::is_empty(folder("out/000007")));
 }
 
 }  // namespace

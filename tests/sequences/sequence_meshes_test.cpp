@@ -31,7 +31,7 @@ class SequenceMeshes : public ::testing::Test {
   static void SetUpTestSuite() {
     renderer_ = std::make_unique<SequenceRenderer>(testing::tripod_sequence());
     directory_ = std::make_unique<testing::TemporaryDirectory>();
-    write_meshes(*renderer_, directory_->path());
+    write_meshes(mesh_frames(*renderer_), directory_->path());
     header_ = json::parse(read_text(*directory_ / "meshes.json"));
   }
   static void TearDownTestSuite() {
@@ -146,10 +146,10 @@ TEST_F(SequenceMeshes, TheForearmEndsWhereTheSequenceSays) {
 
 TEST_F(SequenceMeshes, AnEmptyHandsFolderHasNoObject) {
   const testing::TemporaryDirectory directory;
-  write_meshes(*renderer_, directory.path());
+  write_meshes(mesh_frames(*renderer_), directory.path());
   SequenceSpec spec = testing::tripod_sequence();
   spec.object_visible = false;
-  write_meshes(SequenceRenderer(spec), directory.path());
+  write_meshes(mesh_frames(SequenceRenderer(spec)), directory.path());
   EXPECT_TRUE(json::parse(read_text(directory / "meshes.json"))["object"].is_null());
   EXPECT_FALSE(std::filesystem::exists(directory / "object_vertices.f32"));
 }

@@ -203,7 +203,7 @@ TEST_F(ShortSequence, PicturesOfSomebodyElseAreNotTouched) {
     const std::filesystem::path folder = directory / std::string(1, name[0]);
     write_text(folder / name, "mine");
     EXPECT_THROW(write_sequence(*renderer_, folder, {}), Error) << name;
-    EXPECT_THROW(write_meshes(*renderer_, folder), Error) << name;
+    EXPECT_THROW(write_meshes(mesh_frames(*renderer_), folder), Error) << name;
     EXPECT_EQ(read_text(folder / name), "mine");
   }
 }

@@ -17,6 +17,7 @@
 #include "graspdb/hand/hand.h"
 #include "graspdb/hand/maker/hand_maker.h"
 #include "graspdb/hand/skeleton.h"
+#include "graspdb/sequences/meshes.h"
 
 namespace graspdb {
 
@@ -83,13 +84,6 @@ SequenceSpec load_sequence(const std::filesystem::path& file,
 std::optional<SequenceSpec> with_grasp_of_type(SequenceSpec spec,
                                                const std::filesystem::path& grasps);
 
-// Where everything is in one frame.
-struct FrameGeometry {
-  GraspPose pose;
-  RigidTransform camera_from_hand;
-  Eigen::Vector3d towards_light;  // camera frame
-};
-
 struct FrameTruth {
   double time = 0;
   RigidTransform camera_from_hand;  // its translation is where the wrist is
@@ -116,7 +110,7 @@ class SequenceRenderer {
   const SequenceSpec& spec() const { return spec_; }
   const Hand& hand() const { return hand_; }  // with the forearm that is visible
   FrameTruth truth(int frame) const;
-  FrameGeometry geometry(int frame) const;  // of truth(), render() and write_meshes()
+  FrameGeometry geometry(int frame) const;  // of truth(), render() and mesh_frames()
   SequenceFrame render(int frame) const;
 
  private:
@@ -144,9 +138,8 @@ struct SequenceNoise {
 void write_sequence(const SequenceRenderer& renderer, const std::filesystem::path& directory,
                     const SequenceNoise& noise, const Progress& progress = {});
 
-// Writes what another renderer needs to show the very same hand, object and camera: meshes.json and
-// arrays of little-endian numbers (docs/sequences.md). The same holds for the folder.
-void write_meshes(const SequenceRenderer& renderer, const std::filesystem::path& directory);
+// What another renderer needs to show the very same hand, object and camera: for write_meshes().
+MeshFrames mesh_frames(const SequenceRenderer& renderer);
 
 // What write_sequence wrote, but for the pictures.
 struct WrittenSequence {
