@@ -61,10 +61,11 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);  // our own loops are parallel where it pays
   CLI::App app("Views of hands that hold objects, and a tracker that reads them");
   describe(app);
-  for (const auto add : {cli::add_build, cli::add_merge, cli::add_info, cli::add_diff,
-                         cli::add_query, cli::add_render, cli::add_export, cli::add_track,
-                         cli::add_sequence, cli::add_samples, cli::add_scenes, cli::add_eval,
-                         cli::add_tune, cli::add_bench, cli::add_grasp, cli::add_hand}) {
+  for (const auto add :
+       {cli::add_build, cli::add_merge, cli::add_info, cli::add_diff, cli::add_query,
+        cli::add_render, cli::add_export, cli::add_track, cli::add_find, cli::add_sequence,
+        cli::add_samples, cli::add_scenes, cli::add_eval, cli::add_tune, cli::add_bench,
+        cli::add_grasp, cli::add_hand}) {
     add(app);
   }
   cli::refuse_empty_texts(app);

@@ -7,6 +7,7 @@
 
 #include "checks.h"
 #include "console.h"
+#include "finder_options.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/opencv/opencv_image.h"
 #include "graspdb/evaluation/evaluate.h"
@@ -26,24 +27,21 @@ namespace graspdb::cli {
 namespace {
 
 constexpr int kOverlayHeight = 360;
-constexpr int kMaxSide = 100000;  // of a picture, pixels
 
 struct TrackArguments {
   std::string database, input, masks, json, video;
   std::string handedness = "right";
   TrackerSettings tracker;
   double focal_px = 0;  // 0: guessed
-  std::vector<int> roi;
-  SkinOptions skin;
+  FinderSettings finder;
   bool show = false;
 };
 
 ReaderOptions reader_options(const TrackArguments& options, const Database& database) {
-  ReaderOptions reader{.tracker = options.tracker.options(database), .skin = options.skin};
-  reader.left_hand = options.handedness == "left";
-  const std::vector<int>& roi = options.roi;
-  if (!roi.empty()) reader.roi = Box{roi[0], roi[1], roi[2], roi[3]};
-  return reader;
+  return {.tracker = options.tracker.options(database),
+          .skin = options.finder.skin,
+          .roi = options.finder.box(),
+          .left_hand = options.handedness == "left"};
 }
 
 // What `build --preset tracking` has and this database has not.
@@ -216,8 +214,7 @@ std::string check_input(const std::string& input) {
 }
 
 void check_together(const TrackArguments& options) {
-  if (!options.roi.empty() && (options.roi[2] <= 0 || options.roi[3] <= 0))
-    throw CLI::ValidationError("--roi", "width and height must be more than 0");
+  check(options.finder);
   if (!options.masks.empty() && camera_number(options.input))
     throw CLI::ValidationError("--masks", "a camera's frames have none");
   if (options.focal_px > 0 && is_sequence(options.input))
@@ -242,15 +239,7 @@ void add_track(CLI::App& app) {
   add_tracker_options(*verb, options->tracker);
   verb->add_option("--focal", options->focal_px, "Focal length, pixels [0.87 of the longer side]")
       ->check(range(50.0, 20000.0));
-  verb->add_option("--roi", options->roi,
-                   "Only skin regions that touch this box: x,y,w,h in pixels")
-      ->delimiter(',')
-      ->expected(4)
-      ->check(range(-kMaxSide, kMaxSide));
-  verb->add_option("--skin", options->skin.rule,
-                   "redness: redder than the frame's own threshold; box: the paper's box in HSV")
-      ->transform(named<SkinRule>({{"redness", SkinRule::kRedness}, {"box", SkinRule::kBox}}))
-      ->default_str("redness");
+  add_finder_options(*verb, options->finder);
   verb->add_option("--handedness", options->handedness, "The hand that is seen")
       ->check(one_of({"right", "left"}));
   verb->add_option("--json", options->json,

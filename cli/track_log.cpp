@@ -5,8 +5,6 @@
 
 #include <cstdio>
 
-#include "graspdb/tracker/estimate_json.h"
-
 namespace graspdb::cli {
 
 TrackLog::TrackLog(const std::string& json_file, const Database& database, bool live)
@@ -24,7 +22,7 @@ void TrackLog::add(const InputFrame& frame, const Estimate& estimate) {
   for (const std::string& warning : remarks.warnings) tell(frame.index, "warning: " + warning);
   write_last();
   if (!json_ && !to_standard_output_) return;
-  last_ = Line{frame.index, frame.time, estimate, std::move(remarks)};
+  last_ = Line{{frame.index, frame.time, frame.file}, estimate, std::move(remarks)};
   if (live_) write_last();
 }
 
@@ -46,7 +44,7 @@ void TrackLog::tell(int frame, const std::string& remark) {
 void TrackLog::write_last() {
   if (!last_) return;
   const std::string line =
-      estimate_json(last_->frame, last_->time, last_->estimate, database_, last_->remarks) + "\n";
+      estimate_json(last_->frame, last_->estimate, database_, last_->remarks) + "\n";
   last_.reset();
   if (json_) json_->write(line);
   if (!to_standard_output_) return;

@@ -8,6 +8,7 @@
 #include "graspdb/core/file.h"
 #include "graspdb/core/remarks.h"
 #include "graspdb/database/database.h"
+#include "graspdb/tracker/estimate_json.h"
 #include "graspdb/tracker/tracker.h"
 #include "graspdb/video/frame_source.h"
 
@@ -28,8 +29,7 @@ class TrackLog {
 
  private:
   struct Line {
-    int frame;
-    double time;
+    FrameName frame;
     Estimate estimate;
     Remarks remarks;
   };

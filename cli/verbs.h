@@ -15,6 +15,7 @@ void add_build(CLI::App& app);
 void add_diff(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_export(CLI::App& app);
+void add_find(CLI::App& app);
 void add_grasp(CLI::App& app);
 void add_hand(CLI::App& app);
 void add_info(CLI::App& app);  // info and verify

@@ -33,11 +33,11 @@ void add_answer(json& line, const Estimate& estimate, const Database& database) 
 
 }  // namespace
 
-std::string estimate_json(int frame, double time_s, const Estimate& estimate,
+std::string estimate_json(const FrameName& frame, const Estimate& estimate,
                           const Database& database, const Remarks& remarks) {
   const Box& box = estimate.box;
-  json line = {{"frame", frame},
-               {"time_s", time_s},
+  json line = {{"frame", frame.number},
+               {"time_s", frame.time},
                {"valid", estimate.valid},
                {"confidence", estimate.confidence},
                {"box", {box.x, box.y, box.width, box.height}},
@@ -47,6 +47,7 @@ std::string estimate_json(int frame, double time_s, const Estimate& estimate,
                  {"search", estimate.ms.search},
                  {"temporal", estimate.ms.temporal},
                  {"total", estimate.ms.total}}}};
+  if (!frame.file.empty()) line["file"] = frame.file;
   if (estimate.valid) add_answer(line, estimate, database);
   if (!remarks.notes.empty()) line["notes"] = remarks.notes;
   if (!remarks.warnings.empty()) line["warnings"] = remarks.warnings;

@@ -93,7 +93,8 @@ class Pictures : public FrameSource {
     if (next_ == files_.size()) return std::nullopt;
     const fs::path& file = files_[next_];
     InputFrame frame{.index = static_cast<int>(next_),
-                     .time = static_cast<double>(next_) / frames_per_second()};
+                     .time = static_cast<double>(next_) / frames_per_second(),
+                     .file = file.filename().string()};
     Picture picture = read_picture(file);
     frame.color = std::move(picture.color);
     frame.notes = std::move(picture.notes);

@@ -98,6 +98,7 @@ TEST_F(TrackMedia, ATurnedPhotographIsReadUprightAndSaysSo) {
     EXPECT_EQ(line.at("box"), json({20, 20, 40, 40}));
     EXPECT_THAT(line.at("notes").dump(), HasSubstr("EXIF orientation 6"));
   }
+  EXPECT_EQ(answers().at(1).at("file"), "b.tif");
   const Outcome found = query(path("frames/a.tif") + " --mask " + path("masks/a.png"));
   ASSERT_EQ(found.code, 0) << found.err;
   EXPECT_THAT(found.err, HasSubstr("a.tif: turned clockwise"));

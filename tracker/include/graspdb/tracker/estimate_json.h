@@ -9,9 +9,15 @@
 
 namespace graspdb {
 
-// One line of `track --json`, without a line end; docs/tracking.md names every key. `frame` counts
-// from 0.
-std::string estimate_json(int frame, double time_s, const Estimate& estimate,
+// Which frame a line is about.
+struct FrameName {
+  int number = 0;    // from 0
+  double time = 0;   // seconds
+  std::string file;  // of a picture; empty for a video's and a camera's
+};
+
+// One line of `track --json`, without a line end; docs/tracking.md names every key.
+std::string estimate_json(const FrameName& frame, const Estimate& estimate,
                           const Database& database, const Remarks& remarks = {});
 
 }  // namespace graspdb

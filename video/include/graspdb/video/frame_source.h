@@ -17,7 +17,8 @@ namespace graspdb {
 // As a viewer or player shows it: upright, of square pixels.
 struct InputFrame {
   int index = 0;
-  double time = 0;  // seconds since the first: a video's own, a camera's clock, a folder's rate
+  double time = 0;   // seconds since the first: a video's own, a camera's clock, a folder's rate
+  std::string file;  // its name when it is a picture, without its folder
   ColorImage color;
   std::optional<Mask> mask;        // when the source brings one
   std::vector<std::string> notes;  // what was done to it; of a video, with the first such frame

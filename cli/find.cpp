@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "checks.h"
+#include "console.h"
+#include "finder_options.h"
+#include "graspdb/core/error.h"
+#include "graspdb/core/folder.h"
+#include "graspdb/renderer/image_io.h"
+#include "graspdb/sequences/photoreal.h"
+#include "graspdb/video/frame_source.h"
+#include "verbs.h"
+
+namespace graspdb::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FindArguments {
+  std::string input, out, truth;
+  FinderSettings finder;
+};
+
+// As `track --masks` looks for them.
+std::string mask_name(const InputFrame& frame) {
+  const std::string name =
+      frame.file.empty() ? fmt::format("{:06}", frame.index) : fs::path(frame.file).stem().string();
+  return name + ".png";
+}
+
+// How found masks agree with true ones.
+class Agreement {
+ public:
+  void add(const std::string& name, const Mask& found, const Mask& truth) {
+    if (is_empty(truth)) {
+      false_ += !is_empty(found);
+      return;
+    }
+    missed_ += is_empty(found);
+    const double iou = mask_iou(found, truth);
+    sum_ += iou;
+    ++count_;
+    if (iou >= worst_) return;
+    worst_ = iou;
+    worst_name_ = name;
+  }
+
+  void print() const {
+    if (count_ > 0) {
+      fmt::print("intersection over union: mean {:.3f}, worst {:.3f} ({}), of {} hands\n",
+                 sum_ / static_cast<double>(count_), worst_, worst_name_, count_);
+    }
+    fmt::print("hands that were not found: {}; found where there is none: {}\n", missed_, false_);
+  }
+
+ private:
+  double sum_ = 0, worst_ = 2;
+  std::string worst_name_;
+  std::size_t count_ = 0, missed_ = 0, false_ = 0;
+};
+
+class MaskFolder {
+ public:
+  explicit MaskFolder(fs::path folder) : folder_(std::move(folder)) {
+    renew_folder(folder_, {.kind = "masks", .marker = ".graspdb-masks", .files = {"*.png"}});
+  }
+
+  void write(const std::string& name, const Mask& mask) {
+    if (!names_.insert(name).second)
+      throw Error({folder_.string(), name, "pictures of different names", "two of this one"});
+    write_png(folder_ / name, mask);
+  }
+
+ private:
+  fs::path folder_;
+  std::set<std::string> names_;
+};
+
+// The number of frames with a hand.
+std::size_t find_hands(const FindArguments& options) {
+  const auto source = open_source(options.input, options.truth);
+  MaskFolder folder(options.out);
+  const Progress progress = console_progress("looked at", "frames");
+  std::optional<Agreement> agreement;
+  std::size_t frames = 0, hands = 0;
+  while (const auto frame = source->next()) {
+    const Mask hand = find_hand(frame->color, options.finder.box(), options.finder.skin);
+    const std::string name = mask_name(*frame);
+    folder.write(name, hand);
+    hands += !is_empty(hand);
+    progress(++frames, source->count().value_or(0));
+    if (options.truth.empty()) continue;
+    if (!agreement) agreement.emplace();
+    agreement->add(name, hand, *frame->mask);
+  }
+  for (const std::string& warning : source->warnings())
+    fmt::print(stderr, "warning: {}\n", warning);
+  fmt::print("{}: masks of {} frames, {} with a hand\n", options.out, frames, hands);
+  if (agreement) agreement->print();
+  return hands;
+}
+
+std::string check_that_it_ends(const std::string& input) {
+  return camera_number(input) ? "a camera's frames never end" : "";
+}
+
+}  // namespace
+
+void add_find(CLI::App& app) {
+  auto options = std::make_shared<FindArguments>();
+  CLI::App* verb = app.add_subcommand("find", "Find the hand in pictures or a video, as masks");
+  verb->add_option("INPUT", options->input, "A video, a picture or a folder of pictures")
+      ->required()
+      ->check(check_that_it_ends);
+  verb->add_option("--out", options->out,
+                   "The folder for the masks, named as the pictures (000000.png ... for a video)")
+      ->required()
+      ->check(output_folder());
+  verb->add_option("--truth", options->truth,
+                   "A folder of true masks, named alike: tells how well the found ones agree");
+  add_finder_options(*verb, options->finder);
+  verb->footer(
+      "`track --masks` takes such masks, mended by hand or not. The exit status is 3 when no frame\n"
+      "had a hand.\n"
+      "Example: graspdb find photographs --out masks");
+  verb->callback([options] {
+    check(options->finder);
+    if (find_hands(*options) == 0) throw CLI::RuntimeError(kNothingFound);
+  });
+}
+
+}  // namespace graspdb::cli

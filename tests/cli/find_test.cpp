@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "graspdb/core/file.h"
+#include "graspdb/features/segmentation.h"
+#include "graspdb/renderer/image_io.h"
+#include "graspdb/sequences/sequence.h"
+#include "program.h"
+#include "support/temporary_directory.h"
+#include "support/tripod_sequence.h"
+
+namespace graspdb {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run_program;
+
+constexpr int kNoHandInAny = 3;  // the exit status
+
+// Two frames of a hand before a grey wall, with the masks that the library finds.
+class Find : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    SequenceSpec spec = testing::tripod_sequence();
+    spec.keyframes.back().time = 0.1;
+    const SequenceRenderer renderer(spec);
+    fs::create_directories(directory_ / "frames");
+    fs::create_directories(directory_ / "truth");
+    for (int i = 0; i < 2; ++i) {
+      const ColorImage color = renderer.render(i).color;
+      const std::string name = "hand" + std::to_string(i) + ".png";
+      write_png(directory_ / ("frames/" + name), color);
+      found_.push_back(find_hand(color));
+      write_png(directory_ / ("truth/" + name), found_.back());
+    }
+  }
+  std::string path(const std::string& name) const { return (directory_ / name).string(); }
+
+  testing::TemporaryDirectory directory_;
+  std::vector<Mask> found_;
+};
+
+TEST_F(Find, MasksAreNamedAsThePictures) {
+  const Outcome outcome = run_program("find " + path("frames") + " --out " + path("masks"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("masks of 2 frames, 2 with a hand"));
+  EXPECT_FALSE(is_empty(found_[1]));
+  EXPECT_EQ(read_gray(directory_ / "masks/hand1.png"), found_[1]);
+}
+
+TEST_F(Find, TruthTellsHowWellMasksAgree) {
+  const std::string find = "find " + path("frames") + " --out " + path("masks") + " --truth " + path("truth");
+  EXPECT_THAT(run_program(find).out, HasSubstr("mean 1.000, worst 1.000 (hand0.png), of 2 hands"));
+  // The second one is none, and of the first the upper half is missing.
+  Mask half = found_[0];
+  write_png(directory_ / "truth/hand1.png", Mask(half.width(), half.height()));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    if (i < half.size() / 2) half.data()[i] = 0;
+    kept += half.data()[i] != 0;
+  }
+  write_png(directory_ / "truth/hand0.png", half);
+  const auto all = static_cast<double>(std::ranges::count(found_[0], 255));
+  const Outcome outcome = run_program(find);
+  EXPECT_THAT(outcome.out, HasSubstr(fmt::format("mean {:.3f}", static_cast<double>(kept) / all)));
+  EXPECT_THAT(outcome.out, HasSubstr("hands that were not found: 0; found where there is none: 1"));
+}
+
+TEST_F(Find, AFolderThatHoldsOtherFilesIsLeftAsItIs) {
+  const Outcome outcome = run_program("find " + path("frames") + " --out " + path("frames"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("masks only"));
+  EXPECT_TRUE(fs::exists(directory_ / "frames/hand0.png"));
+}
+
+TEST_F(Find, APictureWithoutAHandIsToldByTheExitStatus) {
+  write_png(directory_ / "wall.png", ColorImage(160, 120, {200, 120, 60}));
+  const Outcome outcome = run_program("find " + path("wall.png") + " --out " + path("masks"));
+  EXPECT_EQ(outcome.code, kNoHandInAny) << outcome.err;
+  EXPECT_TRUE(fs::exists(directory_ / "masks/wall.png"));
+}
+
+TEST_F(Find, TwoPicturesOfOneNameAreRefused) {
+  fs::copy_file(directory_ / "frames/hand0.png", directory_ / "frames/hand0.bmp");
+  const Outcome outcome = run_program("find " + path("frames") + " --out " + path("masks"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("hand0.png"));
+}
+
+}  // namespace
+}  // namespace graspdb
