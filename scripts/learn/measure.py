@@ -52,17 +52,18 @@ class Frames:
 
 
 class Measurement:
-    """Frames and references, made once and kept in the work folder."""
+    """Frames and references, made once and kept in the work folder. `described` are options that ask for
+    descriptors beside the crops."""
 
-    def __init__(self, program, folder, sequences=None, photoreal=None, references=REFERENCES):
+    def __init__(self, program, folder, sequences=None, photoreal=None, references=REFERENCES, described=()):
         folder = pathlib.Path(folder)
         self.references = made(program, folder / "references.safetensors",
-                               ["--config", HERE / "references.toml", "--count", references])
+                               ["--config", HERE / "references.toml", "--count", references, *described])
         self.labels = retrieval.labels_of(self.references)
         self.frames = {}
         if not sequences:
             return
-        of_sequences = ["--sequences", sequences]
+        of_sequences = ["--sequences", sequences, *described]
         self.frames[""] = Frames(made(program, folder / "frames.safetensors", of_sequences))
         if photoreal:
             self.frames["photoreal, "] = Frames(made(program, folder / "photoreal.safetensors",

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# What each way in which the training pictures vary is worth, and how far seeds differ: trainings on 360,000
-# pictures each, some five minutes of two cores, one after the other. Runs that are there are not run again.
-#   scripts/learn/short_runs.sh OUT      writes OUT/NAME.safetensors and OUT/NAME.log, then tables of all
+# What each way in which the training pictures vary is worth, and how far seeds differ: short trainings one after
+# the other, each some five minutes of two cores. Runs that are there are not run again.
+#   scripts/learn/short_runs.sh OUT [CROPS]      writes OUT/NAME.safetensors and OUT/NAME.log, then tables of all
+# CROPS are the pictures of a training, 360,000 when absent.
 set -euo pipefail
-out=$(realpath -m "${1:?usage: scripts/learn/short_runs.sh OUT}")
+out=$(realpath -m "${1:?usage: scripts/learn/short_runs.sh OUT [CROPS]}")
+crops=${2:-360000}
 cd "$(dirname "$0")/../.."
 mkdir -p "$out"
 
@@ -18,7 +20,7 @@ run() { # NAME [KEY=VALUE of the samples' configuration ...] [-- OPTIONS of trai
         [ ! -f "$made" ] || [ -f "$work/${made##*/}" ] || ln "$made" "$work/"
     done
     while [ $# -gt 0 ] && [ "$1" != -- ]; do echo "$1" >>"$work/config.toml" && shift; done
-    scripts/learn.sh --out "$out/$name.safetensors" --crops 360000 --config "$work/config.toml" \
+    scripts/learn.sh --out "$out/$name.safetensors" --crops "$crops" --config "$work/config.toml" \
         --photoreal sequences/photoreal/train "${@:2}" |& tee "$out/$name.log"
     rm -f "$work"/shard*
 }
