@@ -123,7 +123,8 @@ void add_find(CLI::App& app) {
                    "A folder of true masks, named alike: tells how well the found ones agree");
   add_finder_options(*verb, options->finder);
   verb->footer(
-      "`track --masks` takes such masks, mended by hand or not. The exit status is 3 when no frame\n"
+      "`track --masks` takes such masks, mended by hand or not. The exit status is 3 when no "
+      "frame\n"
       "had a hand.\n"
       "Example: graspdb find photographs --out masks");
   verb->callback([options] {

@@ -16,8 +16,7 @@ std::optional<Box> FinderSettings::box() const {
 }
 
 void add_finder_options(CLI::App& verb, FinderSettings& settings) {
-  verb.add_option("--roi", settings.roi,
-                  "Only skin regions that touch this box: x,y,w,h in pixels")
+  verb.add_option("--roi", settings.roi, "Only skin regions that touch this box: x,y,w,h in pixels")
       ->delimiter(',')
       ->expected(4)
       ->check(range(-kMaxSide, kMaxSide));

@@ -43,7 +43,8 @@ void add_scenes(CLI::App& app) {
   auto options = std::make_shared<SceneArguments>();
   CLI::App* verb = app.add_subcommand(
       "scenes", "Draw hands before a camera, as meshes with labels, for other renderers");
-  verb->add_option("--out", options->out, "The folder, which gets one for every scene (docs/scenes.md)")
+  verb->add_option("--out", options->out,
+                   "The folder, which gets one for every scene (docs/scenes.md)")
       ->required()
       ->check(output_folder());
   verb->add_option("--first", options->first, "Number of the first one")->check(natural());

@@ -16,12 +16,16 @@ namespace graspdb {
 namespace {
 
 constexpr int kMostCameras = 1000;  // that are drawn until one sees the hand
-constexpr int kNoOpenness = 1;      // rays: no one looks at the shading of labels
 constexpr double kElbow = 0.26;     // metres from the wrist
 constexpr double kNearestElbow = 0.15;
 
 // Samples count their streams from 0 up, scenes from the other end down.
-enum ScenePurpose : std::uint64_t { kHandOfScene, kPoseOfScene, kCamerasOfScene, kPurposesOfScenes };
+enum ScenePurpose : std::uint64_t {
+  kHandOfScene,
+  kPoseOfScene,
+  kCamerasOfScene,
+  kPurposesOfScenes
+};
 
 RandomStream scene_stream(const SampleConfig& config, ScenePurpose purpose, std::uint64_t number) {
   return RandomStream(static_cast<std::uint64_t>(config.seed),
@@ -44,7 +48,8 @@ Intrinsics draw_lens(const SceneOptions& options, RandomStream& random) {
   return guess_camera(options.width, options.height, options.width / 2.0 / half_width);
 }
 
-// A point of the picture's inner part, at a distance that is as often twice as far as twice as near.
+// A point of the picture's inner part, at a distance that is as often twice as far as twice as
+// near.
 Eigen::Vector3d draw_place(const SampleConfig& config, const Intrinsics& lens,
                            RandomStream& random) {
   const double u = random.uniform(0.15, 0.85) * lens.width;
@@ -57,8 +62,8 @@ Eigen::Vector3d draw_place(const SampleConfig& config, const Intrinsics& lens,
 struct PosedHand {
   const Skeleton& skeleton;
   GraspPose pose;
-  Keypoints joints;        // hand frame
-  Eigen::Vector3d palm;    // hand frame
+  Keypoints joints;          // hand frame
+  Eigen::Vector3d palm;      // hand frame
   Eigen::Vector3d to_elbow;  // hand frame, unit
 };
 
@@ -84,7 +89,8 @@ bool shows_hand(const PosedHand& hand, const Intrinsics& lens,
 std::vector<RigidTransform> draw_motion(const PosedHand& hand, const Intrinsics& lens,
                                         const SampleConfig& config, int frames,
                                         RandomStream& random) {
-  constexpr double kTurnDeg = 15, kMove = 0.06;  // deviations; the second is a share of the distance
+  constexpr double kTurnDeg = 15,
+                   kMove = 0.06;  // deviations; the second is a share of the distance
   const Eigen::Matrix3d first = draw_rotation(random);
   const Eigen::Vector3d place = draw_place(config, lens, random);
   std::vector<RigidTransform> motion;
@@ -109,26 +115,6 @@ std::vector<RigidTransform> visible_motion(const PosedHand& hand, const Intrinsi
       return motion;
   }
   throw Error("scenes: a hand that no camera sees");
-}
-
-bool is_beyond_wrist(const View& view, int x, int y, const PosedHand& hand,
-                     const Camera& camera) {
-  if (view.part.at(x, y) != kForearm + 1) return false;
-  const Eigen::Vector3d skin = camera.intrinsics.ray(x, y) * double{view.depth.at(x, y)};
-  return (camera.camera_from_hand.inverse() * skin).dot(hand.to_elbow) > kHandBeyondWrist;
-}
-
-Image<std::uint8_t> labelled(const Scene& scene, const PosedHand& hand, const Camera& camera) {
-  const View view = render(scene, camera, {}, {.depth = true, .parts = true});
-  Image<std::uint8_t> labels(view.label.width(), view.label.height());
-  for (int y = 0; y < labels.height(); ++y) {
-    for (int x = 0; x < labels.width(); ++x) {
-      if (view.label.at(x, y) == kObjectSurface) labels.at(x, y) = kSceneObject;
-      if (view.label.at(x, y) != kHandSurface) continue;
-      labels.at(x, y) = is_beyond_wrist(view, x, y, hand, camera) ? kSceneForearm : kSceneHand;
-    }
-  }
-  return labels;
 }
 
 }  // namespace
@@ -156,16 +142,12 @@ MeshFrames SceneMaker::make(std::uint64_t number) const {
                     .object = drawn.object,
                     .skin_bgr = {125, 155, 215},
                     .object_bgr = {128, 128, 128},
-                    .frames = {},
-                    .labels = {}};
+                    .frames = {}};
   const PosedHand hand = posed_hand(meshes.hand, drawn.pose);
-  const PosedScene posed = pose_scene(meshes.hand, drawn.pose, drawn.object.get(), kNoOpenness);
   const Eigen::Vector3d light = normal_vector(0.8, cameras) + Eigen::Vector3d(0, -0.5, -1);
   for (const RigidTransform& camera_from_hand :
-       visible_motion(hand, meshes.camera, config, options.frames, cameras)) {
+       visible_motion(hand, meshes.camera, config, options.frames, cameras))
     meshes.frames.push_back({drawn.pose, camera_from_hand, light});
-    meshes.labels.push_back(labelled(posed.scene, hand, {meshes.camera, camera_from_hand}));
-  }
   return meshes;
 }
 

@@ -70,10 +70,9 @@ void write_hand_vertices(const MeshFrames& meshes, const fs::path& file) {
 }
 
 void write_labels(const MeshFrames& meshes, const fs::path& folder) {
-  if (meshes.labels.empty()) return;
   fs::create_directory(folder);
-  for (std::size_t i = 0; i < meshes.labels.size(); ++i)
-    write_png(folder / fmt::format("{:06}.png", i), meshes.labels[i]);
+  for (std::size_t i = 0; i < meshes.frames.size(); ++i)
+    write_png(folder / fmt::format("{:06}.png", i), frame_labels(meshes, i));
 }
 
 json describe(const MeshFrames& meshes) {
@@ -119,8 +118,7 @@ MeshFrames mesh_frames(const SequenceRenderer& renderer) {
                     .object = spec.object_visible ? spec.grasp.object : nullptr,
                     .skin_bgr = spec.look.skin_bgr,
                     .object_bgr = spec.look.object_bgr,
-                    .frames = {},
-                    .labels = {}};
+                    .frames = {}};
   for (int i = 0; i < spec.frame_count(); ++i) meshes.frames.push_back(renderer.geometry(i));
   return meshes;
 }

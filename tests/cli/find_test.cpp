@@ -54,7 +54,8 @@ TEST_F(Find, MasksAreNamedAsThePictures) {
 }
 
 TEST_F(Find, TruthTellsHowWellMasksAgree) {
-  const std::string find = "find " + path("frames") + " --out " + path("masks") + " --truth " + path("truth");
+  const std::string find =
+      "find " + path("frames") + " --out " + path("masks") + " --truth " + path("truth");
   EXPECT_THAT(run_program(find).out, HasSubstr("mean 1.000, worst 1.000 (hand0.png), of 2 hands"));
   // The second one is none, and of the first the upper half is missing.
   Mask half = found_[0];

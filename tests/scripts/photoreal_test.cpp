@@ -85,13 +85,9 @@ class PhotorealScenes : public Photoreal {
     Photoreal::SetUp();
     if (IsSkipped()) return;
     const SequenceRenderer renderer(two_frames());
-    MeshFrames scene = mesh_frames(renderer);
-    for (int i = 0; i < 2; ++i) {
-      scene.labels.push_back(renderer.render(i).hand);
-      for (std::uint8_t& label : scene.labels.back()) label /= 255;
-    }
+    const MeshFrames scene = mesh_frames(renderer);
     write_meshes(scene, folder_ / "scenes/000007");
-    labels_ = scene.labels;
+    for (std::size_t i = 0; i < 2; ++i) labels_.push_back(frame_labels(scene, i));
   }
 
   testing::BlenderOutcome render() const {

@@ -8,6 +8,7 @@
 #include "graspdb/core/file.h"
 #include "graspdb/features/hog.h"
 #include "graspdb/hand/rig/rig.h"
+#include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/sequence.h"
 #include "support/temporary_directory.h"
 #include "support/tripod_sequence.h"
@@ -141,6 +142,25 @@ TEST_F(SequenceMeshes, TheForearmEndsWhereTheSequenceSays) {
       reach = std::max(reach, (wrist - vertices[frame * count + i].cast<double>()).dot(distal));
     }
     EXPECT_NEAR(reach, 0.05, 1e-4);
+  }
+}
+
+TEST_F(SequenceMeshes, LabelsAreTheMasksAndTellForearmFromHand) {
+  for (int frame = 0; frame < 4; ++frame) {
+    const Levels labels =
+        read_levels(*directory_ / ("labels/00000" + std::to_string(frame) + ".png"));
+    const SequenceFrame seen = renderer_->render(frame);
+    std::size_t forearm = 0, hand = 0;
+    for (std::size_t i = 0; i < seen.hand.size(); ++i) {
+      const int label = labels.gray.data()[i];
+      EXPECT_EQ(label == kLabelHand || label == kLabelForearm, seen.hand.data()[i] > 0) << i;
+      EXPECT_EQ(label == kLabelObject, seen.object.data()[i] > 0) << i;
+      hand += label == kLabelHand;
+      forearm += label == kLabelForearm;
+    }
+    // 35 mm of forearm are seen beyond what counts as hand.
+    EXPECT_GT(forearm, hand / 20);
+    EXPECT_LT(forearm, hand / 2);
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hands in front of a camera, for pictures that another renderer makes: drawn as those of training
-// pictures are, each in a few frames of a short motion, with what every pixel shows.
+// pictures are, each in a few frames of a short motion.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,6 @@
 #include "graspdb/sequences/meshes.h"
 
 namespace graspdb {
-
-// What a pixel of a scene shows.
-enum SceneLabel : std::uint8_t {
-  kSceneRest = 0,
-  kSceneHand = 1,
-  kSceneForearm = 2,  // skin beyond the wrist
-  kSceneObject = 3,   // what the hand holds
-};
-// Where the hand ends: so much of the arm, from the wrist joint, is still labelled hand. Where rows
-// and cut_forearm() end, too.
-constexpr double kHandBeyondWrist = 0.015;  // metres
 
 struct SceneOptions {
   int frames = 4;
@@ -37,7 +26,7 @@ class SceneMaker {
   ~SceneMaker();
 
   // The palm is in the picture, and half of the joints are, in every frame; the arm does not reach
-  // behind the camera. Labels are SceneLabels.
+  // behind the camera.
   MeshFrames make(std::uint64_t number) const;
 
  private:

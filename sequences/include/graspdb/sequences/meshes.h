@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,21 +23,34 @@ struct FrameGeometry {
   Eigen::Vector3d towards_light;  // camera frame
 };
 
+// What a pixel shows.
+enum FrameLabel : std::uint8_t {
+  kLabelRest = 0,
+  kLabelHand = 1,
+  kLabelForearm = 2,  // skin beyond the wrist
+  kLabelObject = 3,   // what the hand holds
+};
+// Where the hand ends: so much of the arm, from the wrist joint, is still hand. Where rows and
+// cut_forearm() end, too.
+constexpr double kHandBeyondWrist = 0.015;  // metres
+
 struct MeshFrames {
   std::string name;
   double frames_per_second = 10;
   Intrinsics camera;
-  Hand hand;                                // with the forearm that is visible
-  double visible_forearm = 0;               // metres
-  std::shared_ptr<const Solid> object;      // null when none is seen
-  Eigen::Vector3d skin_bgr, object_bgr;     // 0..255
+  Hand hand;                             // with the forearm that is visible
+  double visible_forearm = 0;            // metres
+  std::shared_ptr<const Solid> object;   // null when none is seen
+  Eigen::Vector3d skin_bgr, object_bgr;  // 0..255
   std::vector<FrameGeometry> frames;
-  std::vector<Image<std::uint8_t>> labels;  // of each frame what its pixels show, or none at all
 };
 
-// Writes meshes.json and arrays of little-endian numbers (docs/sequences.md), and labels/000000.png
-// and so on where there are labels. The folder is new, or holds earlier meshes and nothing else,
-// which go; else that is an Error.
+// FrameLabels of one frame's pixels.
+Image<std::uint8_t> frame_labels(const MeshFrames& meshes, std::size_t frame);
+
+// Writes meshes.json, arrays of little-endian numbers and the labels of every frame
+// (docs/sequences.md). The folder is new, or holds earlier meshes and nothing else, which go; else
+// that is an Error.
 void write_meshes(const MeshFrames& meshes, const std::filesystem::path& directory);
 
 }  // namespace graspdb
