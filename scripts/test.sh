@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 scripts/format.sh --check
 scripts/install.sh
-scripts/install.sh python3-torch # of no use to anything but the test of scripts/learn
+scripts/install.sh python3-torch python3-opencv # of no use to anything but the tests of scripts/learn
 # The one hand that nobody here made: its tests are skipped where npm cannot fetch it.
 scripts/fetch_hands.sh || echo "WebXR's hands are not here: their tests are skipped"
 

@@ -27,7 +27,7 @@ from photoreal_meshes import Meshes
 
 BRIGHTEST = 4
 FOREARM, SLEEVE = 2, 4
-QUICK = {"samples": 4, "plate_samples": 24}
+QUICK = {"samples": 4, "plate_samples": 24, "threads": 1}
 
 
 def parse_arguments(arguments):
@@ -36,8 +36,13 @@ def parse_arguments(arguments):
     parser.add_argument("scenes", type=Path)
     parser.add_argument("looks", type=Path, help="whose skins are in no picture")
     parser.add_argument("out", type=Path)
-    parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--part", type=part, default=(0, 1), metavar="I/N", help="every Nth scene from the Ith on")
     return parser.parse_args(arguments)
+
+
+def part(text):
+    number, count = map(int, text.split("/"))
+    return number, count
 
 
 def skins_of(looks):
@@ -77,10 +82,10 @@ def render(meshes, labels, look, out):
         write(out / f"photo{frame}.jpg", photo, picture.jpeg_options(90))
 
 
-def render_scene(folder, looks, out, threads):
+def render_scene(folder, looks, out):
     meshes = Meshes(folder)
     rng = np.random.default_rng(zlib.crc32(meshes.name.encode()))
-    look = photoreal_looks.draw(looks["common"] | QUICK, rng, skins_of(looks)) | {"threads": threads}
+    look = photoreal_looks.draw(looks["common"] | QUICK, rng, skins_of(looks))
     aside = out.with_suffix(".aside")
     aside.mkdir(parents=True, exist_ok=True)
     render(meshes, folder / "labels", look, aside)
@@ -91,12 +96,14 @@ def main():
     arguments = parse_arguments(sys.argv[sys.argv.index("--") + 1 :])
     looks = tomllib.loads(arguments.looks.read_text())
     scenes = sorted(folder for folder in arguments.scenes.iterdir() if (folder / "meshes.json").exists())
+    first, step = arguments.part
+    scenes = scenes[first::step]
     for done, folder in enumerate(scenes, 1):
         out = arguments.out / folder.name
         if out.exists():
             continue
         begin = time.time()
-        render_scene(folder, looks, out, arguments.threads)
+        render_scene(folder, looks, out)
         print(f"scenes: {done} of {len(scenes)}, {time.time() - begin:.2f} s", flush=True)
 
 

@@ -9,6 +9,13 @@ import losses
 from net import layers_from
 
 
+def one_cycle(rate, warm_up, share):
+    """The rate after a share of the training: up in a line, down as a cosine."""
+    if share < warm_up:
+        return rate * max(share / warm_up, 0.02)
+    return rate * (1 + math.cos(math.pi * (share - warm_up) / (1 - warm_up))) / 2
+
+
 @dataclasses.dataclass(frozen=True)
 class Recipe:
     layers: str = "5x16/2 3x32/2 3x32 3x64/2 3x64 3x64 3x128/2 3x128 3x128"
@@ -26,10 +33,7 @@ class Recipe:
     weights: losses.Weights = losses.Weights()
 
     def rate_at(self, share):
-        """One cycle: up in a line, down as a cosine."""
-        if share < self.warm_up:
-            return self.rate * max(share / self.warm_up, 0.02)
-        return self.rate * (1 + math.cos(math.pi * (share - self.warm_up) / (1 - self.warm_up))) / 2
+        return one_cycle(self.rate, self.warm_up, share)
 
     def net_layers(self):
         return layers_from(self.layers)

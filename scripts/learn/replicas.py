@@ -12,10 +12,6 @@ import pathlib
 import numpy
 import torch
 
-from net import planes_of
-
-LABELS = ("rotation", "angles", "joints")
-
 
 def has_half_numbers():
     """Whether this processor multiplies numbers of half the bits, at three times the speed. Others
@@ -25,17 +21,17 @@ def has_half_numbers():
 
 
 class Replicas:
-    def __init__(self, net, losses, recipe, device):
-        self.net, self.losses, self.recipe, self.device = net, losses, recipe, device
-        self.nets = [net] + [copy.deepcopy(net) for _ in range(recipe.parts - 1)]
-        self.half = device == "cuda" or has_half_numbers()
+    """`loss_of(net, batch)` gives the loss and its parts by name, of a batch of any size."""
+
+    def __init__(self, net, loss_of, parts):
+        self.net, self.loss_of = net, loss_of
+        self.nets = [net] + [copy.deepcopy(net) for _ in range(parts - 1)]
         torch.set_num_threads(1)
-        self.pool = concurrent.futures.ThreadPoolExecutor(recipe.parts, initializer=torch.set_num_threads,
-                                                          initargs=(1,))
+        self.pool = concurrent.futures.ThreadPoolExecutor(parts, initializer=torch.set_num_threads, initargs=(1,))
 
     def learn(self, batch):
         """Puts the gradients into the net; gives the parts of the loss."""
-        size = len(batch["rotation"]) // len(self.nets)
+        size = len(next(iter(batch.values()))) // len(self.nets)
         parts = [{name: values[i * size:(i + 1) * size] for name, values in batch.items()}
                  for i in range(len(self.nets))]
         results = list(self.pool.map(self.gradients, self.nets, parts))
@@ -45,10 +41,7 @@ class Replicas:
 
     def gradients(self, net, batch):
         net.train()
-        truth = {name: torch.as_tensor(batch[name]).to(self.device) for name in LABELS}
-        with torch.autocast(self.device, torch.bfloat16, enabled=self.half):
-            out = net(planes_of(batch, self.recipe.planes, self.device))
-        loss, told = self.losses(out, truth)
+        loss, told = self.loss_of(net, batch)
         return torch.autograd.grad(loss, list(net.parameters())), told
 
     def spread(self):

@@ -19,13 +19,13 @@ import losses
 import safetensors
 import starting_weights
 from measure import Measurement, tell
-from net import Net, multiplications
+from net import Net, multiplications, planes_of
 from recipe import Recipe
-from replicas import Replicas
-from shards import Shards, batches, round_steps
+from replicas import Replicas, has_half_numbers
+from shards import LABELS, Shards, batches, round_steps
+from teller import Teller
 
 CHECKPOINT_S = 300
-TOLD_S = 20
 CALIBRATION = 4096
 ALL_MEASURED = 4  # times within a training
 MAKING_LEAVES = 0.85  # of the processors' time, while shards are made beside
@@ -39,10 +39,17 @@ class Trainer:
         self.recipe, self.device = recipe, device
         self.net = Net(len(recipe.planes), recipe.net_layers(), recipe.size).to(device)
         self.net.body.to(memory_format=torch.channels_last)
-        self.replicas = Replicas(self.net, losses.Losses(recipe.weights, device), recipe, device)
+        self.losses, self.half = losses.Losses(recipe.weights, device), device == "cuda" or has_half_numbers()
+        self.replicas = Replicas(self.net, self.loss_of, recipe.parts)
         self.optimizer = torch.optim.AdamW(self.net.parameters(), recipe.rate, weight_decay=recipe.decay)
         self.round = self.step = 0
         self.started_from = None  # what is known of the weights it began with
+
+    def loss_of(self, net, batch):
+        truth = {name: torch.as_tensor(batch[name]).to(self.device) for name in LABELS}
+        with torch.autocast(self.device, torch.bfloat16, enabled=self.half):
+            out = net(planes_of(batch, self.recipe.planes, self.device))
+        return self.losses(out, truth)
 
     def start_from(self, path, crops):
         starting_weights.put_into(self.net, self.recipe, path, crops)
@@ -58,8 +65,12 @@ class Trainer:
         return max(1, round(self.recipe.crops / (self.round_steps * self.recipe.batch)))
 
     @property
+    def steps(self):
+        return self.rounds * self.round_steps
+
+    @property
     def share(self):
-        return self.step / (self.rounds * self.round_steps)
+        return self.step / self.steps
 
     def learn(self, batch):
         for group in self.optimizer.param_groups:
@@ -94,31 +105,8 @@ def seed_all(seed):
     torch.manual_seed(seed)
 
 
-class Teller:
-    """Progress and time left, every TOLD_S seconds."""
-
-    def __init__(self, trainer):
-        self.trainer, self.first = trainer, trainer.step
-        self.start = self.last = time.monotonic()
-        self.parts = []
-
-    def add(self, parts):
-        self.parts.append(parts)
-        now = time.monotonic()
-        if now - self.last < TOLD_S:
-            return
-        self.last = now
-        trainer = self.trainer
-        steps = trainer.step - self.first
-        left = (trainer.rounds * trainer.round_steps - trainer.step) * (now - self.start) / steps
-        means = "  ".join(f"{name} {numpy.mean([part[name] for part in self.parts]):.3f}" for name in parts)
-        print(f"{trainer.share:6.1%}  {steps * trainer.recipe.batch / (now - self.start):.0f} crops/s  "
-              f"{left / 60:.0f} min left  {means}", flush=True)
-        self.parts = []
-
-
 def train(trainer, shards, checkpoint, measurement):
-    teller, saved = Teller(trainer), time.monotonic()
+    teller, saved = Teller(trainer, "crops"), time.monotonic()
     while trainer.round < trainer.rounds:
         held = shards.round(trainer.round, trainer.rounds)
         for batch in batches(held, trainer.recipe.batch, [trainer.recipe.seed, trainer.round]):

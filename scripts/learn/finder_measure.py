@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""How well a finder's hands agree with those of photoreal frames."""
+
+import pathlib
+import subprocess
+
+import cv2
+import numpy
+import torch
+import torch.nn.functional as F
+
+from finder_pictures import CLASS_OF_LABEL, HAND, HEIGHT, WIDTH
+
+BATCH = 32
+
+
+def labels_of(program, sequence, work):
+    """The label pictures of a sequence, made once."""
+    folder = work / sequence.name.removesuffix(".seq.toml")
+    if not (folder / "meshes.json").exists():
+        subprocess.run([str(program), "sequence", str(sequence), "--meshes", str(folder)], check=True,
+                       stdout=subprocess.DEVNULL)
+    return sorted((folder / "labels").glob("*.png"))
+
+
+class Photoreal:
+    """Frames of the sequences that have photoreal ones, shrunk as the finder wants them, and their labels."""
+
+    def __init__(self, program, sequences, photoreal, work, every=3):
+        self.frames, self.labels, self.sequence = [], [], []
+        for folder in sorted(path for path in pathlib.Path(photoreal).iterdir() if path.is_dir()):
+            labels = labels_of(program, pathlib.Path(sequences) / f"{folder.name}.seq.toml", pathlib.Path(work))
+            for path in labels[::every]:
+                frame = cv2.imread(str(folder / f"{path.stem}.jpg"))
+                self.frames.append(cv2.resize(frame, (WIDTH, HEIGHT), interpolation=cv2.INTER_AREA))
+                self.labels.append(CLASS_OF_LABEL[cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)] == HAND)
+                self.sequence.append(folder.name)
+
+    def figures(self, scores_of):
+        """IoU by sequence; `scores_of` gives scores [N, classes, h, w] of BGR bytes."""
+        by_name = {}
+        for start in range(0, len(self.frames), BATCH):
+            scores = scores_of(numpy.stack(self.frames[start:start + BATCH]))
+            for i, score in enumerate(scores, start):
+                hand = hand_of(score, self.labels[i].shape)
+                by_name.setdefault(self.sequence[i], []).append(iou(hand, self.labels[i]))
+        return {name: float(numpy.mean(values)) for name, values in by_name.items()}
+
+
+def hand_of(scores, shape):
+    wide = F.interpolate(scores[None].float(), size=shape, mode="bilinear", align_corners=False)[0]
+    return (wide.argmax(0) == HAND).numpy()
+
+
+def iou(a, b):
+    return (a & b).sum() / max((a | b).sum(), 1)
+
+
+def tell(figures):
+    mean = numpy.mean(list(figures.values()))
+    print(f"  IoU {mean:.3f}  " + "  ".join(f"{name} {value:.3f}" for name, value in figures.items()), flush=True)
+
+
+def scores_of_net(net):
+    def scores(pictures):
+        net.eval()
+        with torch.no_grad():
+            return net(torch.as_tensor(pictures).permute(0, 3, 1, 2).float() / 255)
+    return scores

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Training pictures of the finder: hands before rooms, both from scripts/blender/photoreal_scenes.py, put together
+anew each time, as cameras of any kind see them."""
+
+import pathlib
+
+import cv2
+import numpy as np
+
+WIDTH, HEIGHT = 160, 120
+SOURCE = (240, 180)  # what is kept of a rendered picture
+BRIGHTEST = 4  # of light in the files, at 65535
+HAND = 1
+CLASS_OF_LABEL = np.array([0, 1, 2, 3, 2], np.uint8)  # a sleeve is arm
+HANDS = (0.1, 0.75, 0.15)  # shares of pictures with none, one and two
+SMALLEST_CROP = 0.55
+OTHER_ROOM = 0.7
+
+
+def middle(mask):
+    """Shares of the picture."""
+    rows, columns = np.nonzero(mask)
+    return (columns.mean() / mask.shape[1], rows.mean() / mask.shape[0]) if len(rows) else (0.5, 0.5)
+
+
+def halved(path):
+    picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    small = cv2.resize(picture, SOURCE, interpolation=cv2.INTER_AREA)
+    return np.rint(small / 257).astype(np.uint8)
+
+
+class Pictures:
+    def __init__(self, folders):
+        """All scenes of these folders, read into memory: 1 MB each."""
+        self.rooms, self.fronts, self.labels, self.places, self.room_of = [], [], [], [], []
+        for scene in sorted(path for folder in folders for path in pathlib.Path(folder).iterdir() if path.suffix == ""):
+            for front in sorted(scene.glob("front*.png")):
+                labels = cv2.imread(str(scene / front.name.replace("front", "labels")), cv2.IMREAD_GRAYSCALE)
+                self.fronts.append(halved(front))
+                self.labels.append(cv2.resize(CLASS_OF_LABEL[labels], SOURCE, interpolation=cv2.INTER_NEAREST))
+                self.places.append(middle(self.labels[-1] == HAND))
+                self.room_of.append(len(self.rooms))
+            self.rooms.append(halved(scene / "room.png"))
+
+    def draw(self, rng):
+        """(BGR bytes [H, W, 3], classes [H, W])."""
+        first = rng.integers(len(self.fronts))
+        room = rng.integers(len(self.rooms)) if rng.random() < OTHER_ROOM else self.room_of[first]
+        light = light_of(taken(self.rooms[room], crop(rng)))
+        classes = np.zeros((HEIGHT, WIDTH), np.uint8)
+        for number in range(rng.choice(len(HANDS), p=HANDS)):
+            front = rng.integers(len(self.fronts)) if number else first
+            light, classes = self.with_hand(light, classes, front, rng)
+        return photographed(light, rng), classes
+
+    def with_hand(self, light, classes, number, rng):
+        window = crop(rng, self.places[number])
+        front = taken(self.fronts[number], window)
+        alpha = front[:, :, 3:].astype(np.float32) / 255
+        brightness = np.exp(rng.normal(0, 0.25))
+        light = brightness * light_of(front[:, :, :3]) + (1 - alpha) * light
+        seen = taken(self.labels[number], window, cv2.INTER_NEAREST)
+        return light, np.where(alpha[:, :, 0] > 0.5, seen, classes)
+
+
+def light_of(bytes_):
+    return BRIGHTEST * np.square(bytes_.astype(np.float32) / 255)
+
+
+def crop(rng, shown=(0.5, 0.5)):
+    """From the kept picture's pixels to the training picture's: a window of the one that has the place `shown` (shares
+    of the picture) in it, perhaps turned over. Nothing from beyond the picture comes in: an arm that leaves it must not end in
+    the middle of another."""
+    share = np.exp(rng.uniform(np.log(SMALLEST_CROP), 0))
+    scale = WIDTH / (share * SOURCE[0])
+    x, y = (rng.uniform(max(0, place - share), min(place, 1 - share)) * side for place, side in zip(shown, SOURCE))
+    window = np.array([[scale, 0, -x * scale], [0, scale, -y * scale]])
+    if rng.random() < 0.5:
+        window[0] = [-window[0, 0], 0, WIDTH - 1 - window[0, 2]]
+    if rng.random() < 0.2:
+        window[1] = [0, -window[1, 1], HEIGHT - 1 - window[1, 2]]
+    return window
+
+
+def taken(picture, window, interpolation=cv2.INTER_LINEAR):
+    return cv2.warpAffine(picture, window, (WIDTH, HEIGHT), flags=interpolation, borderMode=cv2.BORDER_REPLICATE)
+
+
+def film(light, rng):
+    """As scripts/blender/photoreal_picture.py has it, with a curve of each camera's own."""
+    bent = light * (1 + light / 16) / (1 + light)
+    grey = bent @ np.array([0.0722, 0.7152, 0.2126], np.float32)
+    bent = grey[:, :, None] + rng.uniform(0.6, 1.6) * (bent - grey[:, :, None])
+    return 255 * np.clip(bent, 0, 1) ** (rng.uniform(0.8, 1.25) / 2.2)
+
+
+def photographed(light, rng):
+    light = light * np.exp(rng.normal(0, 0.35)) * np.exp(rng.normal(0, 0.1, 3)).astype(np.float32)
+    picture = film(light, rng)
+    if rng.random() < 0.5:
+        picture = cv2.GaussianBlur(picture, (0, 0), rng.uniform(0.3, 1.2))
+    picture = picture + rng.uniform(0, 8) * rng.standard_normal(picture.shape).astype(np.float32)
+    picture = np.clip(np.rint(picture), 0, 255).astype(np.uint8)
+    if rng.random() < 0.3:
+        quality = int(rng.uniform(25, 95))
+        picture = cv2.imdecode(cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, quality])[1], cv2.IMREAD_COLOR)
+    return picture

@@ -1,0 +1,186 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Trains the finder of hands on photographs of scripts/blender/photoreal_scenes.py (docs/scenes.md)."""
+
+import argparse
+import dataclasses
+import io
+import json
+import multiprocessing
+import pathlib
+import time
+
+import numpy
+import torch
+import torch.nn.functional as F
+
+import finder_export
+import finder_measure
+import safetensors
+from finder_net import LAYERS, FinderNet, layers_from, multiplications
+from finder_pictures import HEIGHT, WIDTH, Pictures
+from recipe import one_cycle
+from replicas import Replicas, has_half_numbers
+from teller import Teller
+from train import CHECKPOINT_S, keep_memory, seed_all
+
+MAKERS = 2  # processes that put pictures together
+CALIBRATION = 256
+FIRST_CALIBRATION = 10**9  # number of a picture that no training comes to
+MEASURED = 4  # times within a training
+
+
+@dataclasses.dataclass(frozen=True)
+class Recipe:
+    layers: str = LAYERS
+    seed: int = 0
+    pictures: int = 200_000
+    batch: int = 32
+    parts: int = 2
+    rate: float = 2e-3
+    warm_up: float = 0.05
+    decay: float = 1e-2
+    hand_weight: float = 2.0  # in the loss, of what is hand
+
+
+class Trainer:
+    def __init__(self, recipe, device):
+        seed_all(recipe.seed)
+        self.recipe, self.device, self.half = recipe, device, device == "cuda" or has_half_numbers()
+        self.net = FinderNet(layers_from(recipe.layers)).to(device, memory_format=torch.channels_last)
+        self.weights = torch.tensor([1.0, recipe.hand_weight, 1.0, 1.0]).to(device)
+        self.replicas = Replicas(self.net, self.loss_of, recipe.parts)
+        self.optimizer = torch.optim.AdamW(self.net.parameters(), recipe.rate, weight_decay=recipe.decay)
+        self.step = 0
+
+    @property
+    def steps(self):
+        return self.recipe.pictures // self.recipe.batch
+
+    @property
+    def share(self):
+        return self.step / self.steps
+
+    def loss_of(self, net, batch):
+        pictures = torch.as_tensor(batch["picture"]).to(self.device).permute(0, 3, 1, 2).float().div_(255)
+        with torch.autocast(self.device, torch.bfloat16, enabled=self.half):
+            scores = net(pictures)
+        wide = F.interpolate(scores.float(), size=(HEIGHT, WIDTH), mode="bilinear", align_corners=False)
+        loss = F.cross_entropy(wide, torch.as_tensor(batch["classes"]).to(self.device).long(), self.weights)
+        return loss, {"loss": loss.item()}
+
+    def learn(self, batch):
+        for group in self.optimizer.param_groups:
+            group["lr"] = one_cycle(self.recipe.rate, self.recipe.warm_up, self.share)
+        parts = self.replicas.learn(batch)
+        self.optimizer.step()
+        self.replicas.spread()
+        self.step += 1
+        return parts
+
+    def save(self, path):
+        self.replicas.join_statistics()
+        file = io.BytesIO()
+        torch.save({"recipe": dataclasses.asdict(self.recipe), "net": self.net.state_dict(),
+                    "optimizer": self.optimizer.state_dict(), "step": self.step}, file)
+        safetensors.write_aside(path, file.getvalue())
+
+    @staticmethod
+    def load(path, device):
+        state = torch.load(path, map_location=device)
+        trainer = Trainer(Recipe(**state["recipe"]), device)
+        trainer.net.load_state_dict(state["net"])
+        trainer.optimizer.load_state_dict(state["optimizer"])
+        trainer.replicas.copy_all()
+        trainer.step = state["step"]
+        return trainer
+
+
+class Maker:
+    """Puts pictures together in other processes: each is a function of seed and number."""
+
+    def __init__(self, seed):
+        self.seed = seed
+        self.pool = multiprocessing.get_context("fork").Pool(MAKERS)
+
+    def batches(self, size, first, count):
+        numbers = range(first * size, (first + count) * size)
+        made = self.pool.imap(draw, ((self.seed, number) for number in numbers), chunksize=8)
+        for _ in range(count):
+            drawn = [next(made) for _ in range(size)]
+            yield {"picture": numpy.stack([picture for picture, _ in drawn]),
+                   "classes": numpy.stack([classes for _, classes in drawn])}
+
+
+PICTURES = None  # of this process: set before others are forked, which share its memory
+
+
+def draw(seed_and_number):
+    return PICTURES.draw(numpy.random.default_rng(seed_and_number))
+
+
+def train(trainer, maker, checkpoint, measurement):
+    teller, saved = Teller(trainer, "pictures"), time.monotonic()
+    for batch in maker.batches(trainer.recipe.batch, trainer.step, trainer.steps - trainer.step):
+        teller.add(trainer.learn(batch))
+        if time.monotonic() - saved > CHECKPOINT_S or trainer.step == trainer.steps:
+            trainer.save(checkpoint)
+            saved = time.monotonic()
+        if measurement and trainer.step % (trainer.steps // MEASURED) == 0 and trainer.step < trainer.steps:
+            trainer.replicas.join_statistics()
+            finder_measure.tell(measurement.figures(finder_measure.scores_of_net(trainer.net)))
+
+
+def write_weights(trainer, maker, measurement, path):
+    batch = next(maker.batches(CALIBRATION, FIRST_CALIBRATION // CALIBRATION, 1))
+    net = trainer.net.to("cpu")
+    pictures = torch.as_tensor(batch["picture"]).permute(0, 3, 1, 2).float() / 255
+    tensors, metadata = finder_export.export(net, pictures, {
+        "recipe": json.dumps(dataclasses.asdict(trainer.recipe)), "seed": str(trainer.recipe.seed),
+        "pictures_seen": str(trainer.step * trainer.recipe.batch)})
+    if measurement:
+        figures = {"floats": measurement.figures(finder_measure.scores_of_net(net)), "int8": measurement.figures(
+            lambda pictures: finder_export.integer_scores(tensors, metadata, pictures))}
+        for title, values in figures.items():
+            print(title, flush=True)
+            finder_measure.tell(values)
+        metadata["figures"] = json.dumps(figures)
+    safetensors.write(path, tensors, metadata)
+
+
+def parsed():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--photos", required=True, nargs="+", type=pathlib.Path, help="folders of photographed scenes")
+    parser.add_argument("--work", required=True, type=pathlib.Path, help="checkpoint, labels of what is measured")
+    parser.add_argument("--out", required=True, type=pathlib.Path, help="the weights")
+    parser.add_argument("--program", help="graspdb, to measure")
+    parser.add_argument("--sequences", help="a folder of sequences to measure on")
+    parser.add_argument("--photoreal", help="its photoreal frames")
+    for field in dataclasses.fields(Recipe):
+        parser.add_argument(f"--{field.name.replace('_', '-')}", default=field.default, type=type(field.default))
+    return parser.parse_args()
+
+
+def main():
+    global PICTURES  # pylint: disable=global-statement
+    options = parsed()
+    keep_memory()
+    options.work.mkdir(parents=True, exist_ok=True)
+    PICTURES = Pictures(options.photos)
+    recipe = Recipe(**{field.name: getattr(options, field.name) for field in dataclasses.fields(Recipe)})
+    maker = Maker(recipe.seed)
+    measurement = None
+    if options.photoreal:
+        measurement = finder_measure.Photoreal(options.program, options.sequences, options.photoreal, options.work)
+    device = "cuda" if torch.cuda.is_available() else "cpu"
+    checkpoint = options.work / "checkpoint.pt"
+    trainer = Trainer.load(checkpoint, device) if checkpoint.exists() else Trainer(recipe, device)
+    layers = trainer.net.layers
+    print(f"{len(PICTURES.fronts)} hands, {len(PICTURES.rooms)} rooms; {multiplications(layers, HEIGHT, WIDTH) / 1e6:.0f} million "
+          f"multiplications, {sum(p.numel() for p in trainer.net.parameters())} numbers", flush=True)
+    train(trainer, maker, checkpoint, measurement)
+    write_weights(trainer, maker, measurement, options.out)
+
+
+if __name__ == "__main__":
+    main()

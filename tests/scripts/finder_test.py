@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""Half a minute of learning to find, on discs before noise: the loss falls, discs are found, whole numbers do as well
+as floats, and a training that was cut goes on."""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts/learn"))
+# pylint: disable=wrong-import-position
+try:
+    import cv2
+    import torch
+except ImportError:
+    print("finder_test.py: skipped, this python has no torch or no cv2 (Debian: python3-torch, python3-opencv)")
+    sys.exit(77)  # CTest's SKIP_RETURN_CODE
+
+import finder_export
+import train_finder
+from finder_measure import hand_of, iou, scores_of_net
+from finder_pictures import HAND, Pictures
+
+RECIPE = train_finder.Recipe(layers="5x8/2 3x16/2 3x16 3x8+0 1x4", pictures=2400, batch=16, rate=5e-3)
+SKIN, SLEEVE, SLEEVE_LABEL = (12600, 18200, 30800, 65535), (14400, 10800, 4800, 65535), 4
+
+
+def write_scene(folder, rng):
+    """A room of coloured noise, and a skin-coloured disc with a sleeve before it."""
+    folder.mkdir(parents=True)
+    room = cv2.resize(rng.integers(0, 30000, (6, 8, 3)).astype(numpy.uint16), (320, 240))
+    cv2.imwrite(str(folder / "room.png"), room)
+    x, y = int(rng.integers(100, 220)), int(rng.integers(80, 160))
+    front, labels = numpy.zeros((240, 320, 4), numpy.uint16), numpy.zeros((240, 320), numpy.uint8)
+    for image, sleeve, hand in ((front, SLEEVE, SKIN), (labels, SLEEVE_LABEL, HAND)):
+        cv2.rectangle(image, (x - 12, y), (x + 12, 239), sleeve, cv2.FILLED)
+        cv2.circle(image, (x, y), 34, hand, cv2.FILLED)
+    cv2.imwrite(str(folder / "front0.png"), front)
+    cv2.imwrite(str(folder / "labels0.png"), labels)
+
+
+class Finder(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name)
+        for number in range(16):
+            write_scene(cls.path / f"scenes/{number:06}", numpy.random.default_rng(number))
+        cls.pictures = train_finder.PICTURES = Pictures([cls.path / "scenes"])
+        cls.maker = train_finder.Maker(0)
+        cls.trainer = train_finder.Trainer(RECIPE, "cpu")
+        cls.losses = [cls.trainer.learn(batch)["loss"] for batch in cls.maker.batches(16, 0, cls.trainer.steps)]
+        cls.trainer.replicas.join_statistics()
+        cls.unseen = next(cls.maker.batches(48, 1000, 1))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.maker.pool.terminate()
+        cls.folder.cleanup()
+
+    def agreement(self, scores):
+        """Mean IoU, of pictures with a disc."""
+        pairs = zip(scores, self.unseen["classes"])
+        return numpy.mean([iou(hand_of(score, classes.shape), classes == HAND) for score, classes in pairs
+                           if (classes == HAND).any()])
+
+    def test_loss_falls(self):
+        self.assertLess(numpy.mean(self.losses[-10:]), 0.5 * numpy.mean(self.losses[:10]))
+
+    def test_discs_are_found(self):
+        self.assertGreater(self.agreement(scores_of_net(self.trainer.net)(self.unseen["picture"])), 0.8)
+
+    def test_whole_numbers_do_as_well(self):
+        floats = scores_of_net(self.trainer.net)(self.unseen["picture"])
+        pictures = torch.as_tensor(self.unseen["picture"]).permute(0, 3, 1, 2).float() / 255
+        tensors, metadata = finder_export.export(self.trainer.net, pictures, {})
+        whole = finder_export.integer_scores(tensors, metadata, self.unseen["picture"])
+        self.assertGreater((floats.argmax(1) == whole.argmax(1)).float().mean().item(), 0.98)
+        self.assertGreater(self.agreement(whole), self.agreement(floats) - 0.01)
+
+    def test_a_picture_depends_on_its_number_alone(self):
+        again = next(self.maker.batches(48, 1000, 1))
+        numpy.testing.assert_array_equal(again["picture"], self.unseen["picture"])
+        self.assertFalse((next(self.maker.batches(48, 1001, 1))["picture"] == again["picture"]).all())
+
+    def test_a_training_goes_on_where_it_was(self):
+        self.trainer.save(self.path / "checkpoint.pt")
+        again = train_finder.Trainer.load(self.path / "checkpoint.pt", "cpu")
+        self.assertEqual(again.step, self.trainer.step)
+        pictures = self.unseen["picture"]
+        self.assertTrue(torch.equal(scores_of_net(again.net)(pictures), scores_of_net(self.trainer.net)(pictures)))
+
+
+if __name__ == "__main__":
+    unittest.main()
