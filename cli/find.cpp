@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <set>
 
 #include "checks.h"
@@ -79,32 +81,62 @@ class MaskFolder {
   std::set<std::string> names_;
 };
 
-// The number of frames with a hand.
-std::size_t find_hands(const FindArguments& options) {
-  const auto source = open_source(options.input, options.truth);
-  MaskFolder folder(options.out);
-  const Progress progress = console_progress("looked at", "frames");
-  std::optional<Agreement> agreement;
-  std::size_t frames = 0, hands = 0;
-  while (const auto frame = source->next()) {
-    const Mask hand = find_hand(frame->color, options.finder.box(), options.finder.skin);
-    const std::string name = mask_name(*frame);
-    folder.write(name, hand);
-    hands += !is_empty(hand);
-    progress(++frames, source->count().value_or(0));
-    if (options.truth.empty()) continue;
-    if (!agreement) agreement.emplace();
-    agreement->add(name, hand, *frame->mask);
+// Everything that one run of the verb keeps between frames.
+class FindRun {
+ public:
+  explicit FindRun(const FindArguments& options)
+      : options_(options),
+        source_(open_source(options.input, options.truth)),
+        folder_(options.out) {}
+
+  void all_frames() {
+    const Progress progress = console_progress("looked at", "frames");
+    while (const auto frame = source_->next()) {
+      one_frame(*frame);
+      const std::size_t count = source_->count().value_or(0);
+      progress(frames_, frames_ < count ? count : 0);  // it may have been too low
+    }
+    require_frames(*source_, options_.input, frames_);
+    progress(frames_, frames_);
   }
-  for (const std::string& warning : source->warnings())
-    fmt::print(stderr, "warning: {}\n", warning);
-  fmt::print("{}: masks of {} frames, {} with a hand\n", options.out, frames, hands);
-  if (agreement) agreement->print();
-  return hands;
-}
+
+  std::size_t finish() const {
+    for (const std::string& warning : source_->warnings())
+      fmt::print(stderr, "warning: {}\n", warning);
+    fmt::print("{}: masks of {} frames, {} with a hand\n", options_.out, frames_, hands_);
+    if (!options_.truth.empty()) agreement_.print();
+    return hands_;
+  }
+
+ private:
+  void one_frame(const InputFrame& frame) {
+    const FinderSettings& finder = options_.finder;
+    const Mask hand = find_hand(frame.color, finder.box(), finder.skin);
+    const std::string name = mask_name(frame);
+    folder_.write(name, hand);
+    ++frames_;
+    hands_ += !is_empty(hand);
+    if (!options_.truth.empty()) agreement_.add(name, hand, *frame.mask);
+  }
+
+  const FindArguments& options_;
+  std::unique_ptr<FrameSource> source_;
+  MaskFolder folder_;
+  Agreement agreement_;
+  std::size_t frames_ = 0, hands_ = 0;
+};
 
 std::string check_that_it_ends(const std::string& input) {
   return camera_number(input) ? "a camera's frames never end" : "";
+}
+
+// Masks of before are removed: they must not be what is read.
+void check_apart(const FindArguments& options) {
+  for (const std::string& read : {options.input, options.truth}) {
+    std::error_code absent;
+    if (fs::equivalent(read, options.out, absent))
+      throw CLI::ValidationError("--out", read + " is read from");
+  }
 }
 
 }  // namespace
@@ -129,7 +161,10 @@ void add_find(CLI::App& app) {
       "Example: graspdb find photographs --out masks");
   verb->callback([options] {
     check(options->finder);
-    if (find_hands(*options) == 0) throw CLI::RuntimeError(kNothingFound);
+    check_apart(*options);
+    FindRun run(*options);
+    run.all_frames();
+    if (run.finish() == 0) throw CLI::RuntimeError(kNothingFound);
   });
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "finder_options.h"
 
+#include <fmt/ranges.h>
+
 #include "checks.h"
+#include "graspdb/core/error.h"
 
 namespace graspdb::cli {
 namespace {
@@ -24,6 +27,13 @@ void add_finder_options(CLI::App& verb, FinderSettings& settings) {
                   "redness: redder than the frame's own threshold; box: the paper's box in HSV")
       ->transform(named<SkinRule>({{"redness", SkinRule::kRedness}, {"box", SkinRule::kBox}}))
       ->default_str("redness");
+}
+
+void require_frames(const FrameSource& source, const std::string& input, std::size_t frames) {
+  if (frames > 0) return;
+  std::vector<std::string> found = source.warnings();
+  found.insert(found.begin(), "none that can be read");
+  throw Error({input, "", "frames", fmt::format("{}", fmt::join(found, "; "))});
 }
 
 void check(const FinderSettings& settings) {

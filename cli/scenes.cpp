@@ -33,7 +33,7 @@ void write_scenes(const SceneArguments& options) {
     write_meshes(maker.make(number),
                  std::filesystem::path(options.out) / fmt::format("{:06}", number));
     const std::lock_guard lock(mutex);
-    if (progress) progress(++done, count);
+    progress(++done, count);
   });
 }
 

@@ -90,11 +90,7 @@ class Run {
       progress(done, done < count ? count : 0);  // it may have been too low
       if (stop_ || interrupted()) break;
     }
-    if (done == 0) {
-      std::vector<std::string> found = source_->warnings();
-      found.insert(found.begin(), "none that can be read");
-      throw Error({options_.input, "", "frames", fmt::format("{}", fmt::join(found, "; "))});
-    }
+    require_frames(*source_, options_.input, done);
     progress(done, done);
     for (const std::string& warning : source_->warnings()) log_.warn(warning);
     if (!any_hand()) {

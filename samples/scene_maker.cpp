@@ -60,8 +60,6 @@ Eigen::Vector3d draw_place(const SampleConfig& config, const Intrinsics& lens,
 }
 
 struct PosedHand {
-  const Skeleton& skeleton;
-  GraspPose pose;
   Keypoints joints;          // hand frame
   Eigen::Vector3d palm;      // hand frame
   Eigen::Vector3d to_elbow;  // hand frame, unit
@@ -69,8 +67,7 @@ struct PosedHand {
 
 PosedHand posed_hand(const Hand& hand, const GraspPose& pose) {
   const Skeleton& skeleton = hand.skeleton;
-  return {skeleton, pose, keypoints_in_hand(skeleton, pose.angles),
-          palm_center(skeleton, pose.angles),
+  return {keypoints_in_hand(skeleton, pose.angles), palm_center(skeleton, pose.angles),
           -hand_from_bones(skeleton, pose.angles)[kForearm].rotation.col(1)};
 }
 

@@ -25,12 +25,15 @@ cmake --build --preset release --target graspdb
 graspdb=build/release/cli/graspdb
 mkdir -p "$work"
 
-[ -f "$work/scenes.$scenes" ] || { "$graspdb" scenes --count "$scenes" --out "$work/scenes" && touch "$work/scenes.$scenes"; }
+if [ ! -f "$work/scenes.$scenes" ]; then
+    "$graspdb" scenes --count "$scenes" --out "$work/scenes"
+    touch "$work/scenes.$scenes"
+fi
 processes=$(nproc) renderers=()
 for ((i = 0; i < processes; i++)); do
     blender -b --factory-startup --python-exit-code 1 --python scripts/blender/photoreal_scenes.py -- \
-        "$work/scenes" scripts/blender/photoreal.toml "$work/photos" --part "$i/$processes" |
-        { grep -E "^(scenes:|Error|Traceback| )" || true; } &
+        "$work/scenes" scripts/blender/photoreal.toml "$work/photos" --part "$i/$processes" \
+        > >(grep -E "^(scenes:|Error|Traceback| )" || true) &
     renderers+=($!)
 done
 for renderer in "${renderers[@]}"; do wait "$renderer"; done

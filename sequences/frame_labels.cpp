@@ -13,8 +13,8 @@ constexpr int kFewestRays = 1;  // no one looks at the shading
 Image<std::uint8_t> frame_labels(const MeshFrames& meshes, std::size_t frame) {
   const auto& [pose, camera_from_hand, light] = meshes.frames.at(frame);
   const PosedScene posed = pose_scene(meshes.hand, pose, meshes.object.get(), kFewestRays);
-  const View view = render(posed.scene, {meshes.camera, camera_from_hand}, {},
-                           {.depth = true, .parts = true});
+  const View view =
+      render(posed.scene, {meshes.camera, camera_from_hand}, {}, {.depth = true, .parts = true});
   const RigidTransform forearm_from_camera =
       (camera_from_hand * hand_from_bones(meshes.hand.skeleton, pose.angles)[kForearm]).inverse();
   const auto is_beyond_wrist = [&](int x, int y) {

@@ -9,6 +9,7 @@ PALM = np.array([0.88, 0.64, 0.56])
 RED = np.array([0.93, 0.67, 0.65])  # what blood takes of the light
 LEAST_APART = 0.02  # of tones, sRGB
 WARM, COLD = np.array([1.0, 0.76, 0.55]), np.array([0.85, 0.92, 1.0])
+STEEPEST_DEG = 65  # that the picture's lower edge looks down: there the table begins
 OBJECTS = ("plastic", "metal", "wood", "glossy", "rubber", "labelled")
 
 
@@ -44,7 +45,7 @@ def skin(rng, others):
 
 
 def arm(rng):
-    """A sleeve of cloth, or a bare arm; long enough to leave any picture."""
+    """A sleeve of cloth, or a bare arm; long enough to leave nearly any picture."""
     if rng.random() < 0.35:
         return {"sleeve": [0, 0, 0], "arm": "bare", "upper_arm_m": 2.0}
     return {"sleeve": any_colour(rng), "arm": "sleeve", "upper_arm_m": 2.0}
@@ -63,17 +64,17 @@ def light(rng):
     }
 
 
-def camera(rng):
+def camera(rng, half_height_deg):
     return {
-        "camera_down_deg": rng.uniform(-5, 50),
+        "camera_down_deg": rng.uniform(-5, min(50, STEEPEST_DEG - half_height_deg)),
         "fstop": np.exp(rng.uniform(np.log(2.0), np.log(16.0))),
         "blur_px": rng.choice([0, rng.uniform(0.3, 1.0)]),
         "sensor_noise": rng.uniform(0.5, 5),
     }
 
 
-def draw(common, rng, others):
+def draw(common, rng, others, half_height_deg):
     """A look on top of what all have; `others` are skin tones that it must not have."""
     look = common | {"room": "clutter", "depth": rng.uniform(0.3, 1.5), "object_kind": rng.choice(OBJECTS)}
-    look |= skin(rng, others) | arm(rng) | light(rng) | camera(rng) | {"object": any_colour(rng)}
+    look |= skin(rng, others) | arm(rng) | light(rng) | camera(rng, half_height_deg) | {"object": any_colour(rng)}
     return {key: value.tolist() if isinstance(value, np.generic | np.ndarray) else value for key, value in look.items()}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What `graspdb sequence --meshes` writes (docs/sequences.md)."""
+"""What `graspdb sequence --meshes` and `graspdb scenes` write (docs/sequences.md)."""
 import json
 
 import numpy as np

@@ -9,6 +9,7 @@ front0.png ... (the light's root, 65535 = 4; front has an alpha), so that other 
 labels0.png ...: 0 rest, 1 hand, 2 forearm, 3 object, 4 sleeve. Folders that are there are kept.
 """
 import argparse
+import math
 import sys
 import time
 import tomllib
@@ -27,6 +28,7 @@ from photoreal_meshes import Meshes
 
 BRIGHTEST = 4
 FOREARM, SLEEVE = 2, 4
+LOOKS = 1  # number of a stream of random numbers
 QUICK = {"samples": 4, "plate_samples": 24, "threads": 1}
 
 
@@ -45,22 +47,27 @@ def part(text):
     return number, count
 
 
+def half_height_deg(camera):
+    return math.degrees(math.atan(camera["height_px"] / 2 / camera["fy_px"]))
+
+
 def skins_of(looks):
     return [look["skin"] for set_name in ("train", "test") for look in looks[set_name].values()]
 
 
-def rooted(linear):
-    """16 bits, in OpenCV's order of channels."""
-    levels = 65535 * np.sqrt(np.clip(linear[:, :, :3], 0, BRIGHTEST) / BRIGHTEST)[:, :, ::-1]
+def rooted(linear, exposure):
+    """16 bits, in OpenCV's order of channels. An alpha stays as it is."""
+    light = exposure * linear[:, :, :3]
+    levels = 65535 * np.sqrt(np.clip(light, 0, BRIGHTEST) / BRIGHTEST)[:, :, ::-1]
     if linear.shape[2] == 4:
         levels = np.dstack([levels, 65535 * np.clip(linear[:, :, 3], 0, 1)])
     return np.rint(levels).astype(np.uint16)
 
 
-def with_arm(labels, foreground, bare):
-    """What is seen and is neither hand nor object is the arm."""
-    arm = (labels == 0) & (foreground[:, :, 3] > 0.5)
-    return np.where(arm, FOREARM if bare else SLEEVE, labels).astype(np.uint8)
+def with_arm(labels, studio, frame):
+    """The labels with what hides the hand in some views: the arm beyond the drawn forearm."""
+    arm = studio.visible_sleeve(frame) > 0.5
+    return np.where(arm, FOREARM if studio.look["arm"] == "bare" else SLEEVE, labels).astype(np.uint8)
 
 
 def write(path, image, *options):
@@ -72,20 +79,21 @@ def render(meshes, labels, look, out):
     studio = stage.Studio(meshes, look)
     room = studio.plate()
     camera = picture.Camera(studio.seed, look, room, studio.meter())
-    write(out / "room.png", rooted(camera.exposure * room))
+    write(out / "room.png", rooted(room, camera.exposure))
     for frame in range(meshes.frame_count):
         front = studio.foreground(frame)
         seen = cv2.imread(str(labels / f"{frame:06}.png"), cv2.IMREAD_GRAYSCALE)
-        write(out / f"front{frame}.png", rooted(camera.exposure * front))
-        write(out / f"labels{frame}.png", with_arm(seen, front, look["arm"] == "bare"))
+        write(out / f"front{frame}.png", rooted(front, camera.exposure))
+        write(out / f"labels{frame}.png", with_arm(seen, studio, frame))
         photo = camera.photograph(front, frame)
         write(out / f"photo{frame}.jpg", photo, picture.jpeg_options(90))
 
 
 def render_scene(folder, looks, out):
     meshes = Meshes(folder)
-    rng = np.random.default_rng(zlib.crc32(meshes.name.encode()))
-    look = photoreal_looks.draw(looks["common"] | QUICK, rng, skins_of(looks))
+    # A stream of its own: the room draws from the name's number alone, and must not follow the skin.
+    rng = np.random.default_rng([zlib.crc32(meshes.name.encode()), LOOKS])
+    look = photoreal_looks.draw(looks["common"] | QUICK, rng, skins_of(looks), half_height_deg(meshes.camera))
     aside = out.with_suffix(".aside")
     aside.mkdir(parents=True, exist_ok=True)
     render(meshes, folder / "labels", look, aside)

@@ -214,6 +214,12 @@ class Studio:
         """The visible hand without the sleeve, as graspdb has it."""
         return self.silhouette(frame, [self.hand], [self.object] if self.object else [])
 
+    def visible_sleeve(self, frame):
+        """How much of each pixel it covers."""
+        if not self.sleeve:
+            return np.zeros((self.meshes.camera["height_px"], self.meshes.camera["width_px"]))
+        return self.silhouette(frame, [self.sleeve.thing], [thing for thing in (self.hand, self.object) if thing])
+
     def hidden_by_sleeve(self, frame):
         """The share of the visible hand."""
         if not self.sleeve:

@@ -16,13 +16,13 @@ import torch
 import torch.nn.functional as F
 from torch import nn
 
+import export
 import losses
 import measure
 import retrieval
-from integer_net import MIDDLE
-from net import ANGLES, JOINTS
+import safetensors
+from net import Net
 from recipe import Recipe
-from rotations import DIRECTIONS, ROLLS
 from shards import LABELS
 
 HOG = 512
@@ -31,33 +31,19 @@ PICTURES, EPOCHS, BATCH = 200_000, 12, 512
 HOG_SHARES = (0.25, 0.5, 1)  # of a HOG's length beside a code's
 
 
-class LinearMetric(nn.Module):
-    """As net.Net, but its body is a matrix. As a convolution, because Debian's BLAS is slow."""
+class Matrix(nn.Module):
+    """As a convolution, because Debian's BLAS is slow."""
 
     def __init__(self):
         super().__init__()
-        self.body = nn.Conv2d(HOG, SIZE, 1, bias=False)
-        self.sharpness = nn.Parameter(torch.tensor(8.0))
-        self.view = nn.Linear(SIZE, DIRECTIONS * ROLLS)
-        self.angles = nn.Linear(SIZE, ANGLES)
-        self.joints = nn.Linear(SIZE, JOINTS * 3)
-
-    def codes(self, hogs):
-        return F.normalize(self.body(hogs[:, :, None, None]).flatten(1), dim=1)
+        self.weights = nn.Conv2d(HOG, SIZE, 1, bias=False)
 
     def forward(self, hogs):
-        code = self.codes(hogs)
-        seen = code * self.sharpness
-        return {"code": code, "view": self.view(seen), "angles": self.angles(seen),
-                "joints": self.joints(seen).view(-1, JOINTS, 3)}
+        return self.weights(hogs[:, :, None, None]).flatten(1)
 
 
 def hogs_of(samples):
     return torch.as_tensor(numpy.array(samples["hog"])).float() / 255
-
-
-def codes_of(samples):
-    return F.normalize(torch.as_tensor(numpy.array(samples["embedding"])).float() - MIDDLE, dim=1)
 
 
 def pictures(program, folder, mode):
@@ -69,7 +55,7 @@ def pictures(program, folder, mode):
 def learned_metric(held):
     torch.manual_seed(0)
     recipe = Recipe()
-    metric, loss = LinearMetric(), losses.Losses(recipe.weights)
+    metric, loss = Net(Matrix(), SIZE), losses.Losses(recipe.weights)
     steps = EPOCHS * (PICTURES // BATCH)
     optimizer = torch.optim.AdamW(metric.parameters(), recipe.rate, weight_decay=recipe.decay)
     for step in range(steps):
@@ -102,11 +88,18 @@ def directions_of(samples):
 def compare(options, mode):
     folder = options.work / mode
     measurement = measure.Measurement(options.program, folder, options.sequences, options.photoreal,
-                                      described=["--hog", mode, "--descriptor", options.weights])
+                                      described=["--hog", mode])
+    weights, codes = safetensors.read(options.weights), {}
+
+    def codes_of(samples):
+        if id(samples) not in codes:
+            codes[id(samples)] = export.integer_codes(*weights, samples)
+        return codes[id(samples)]
+
     tell_of(measurement, f"HOG, {mode}", directions_of)
     metric = learned_metric(pictures(options.program, folder, mode))
     with torch.no_grad():
-        tell_of(measurement, f"linear map of HOGs, {mode}", lambda samples: metric.codes(hogs_of(samples)))
+        tell_of(measurement, f"linear map of HOGs, {mode}", lambda samples: metric(hogs_of(samples))["code"])
         for title, frames in measurement.frames.items():
             answer = retrieval.answer_of_heads(metric(hogs_of(frames.samples)))
             measure.tell({title + "its heads": frames.figures(answer)})

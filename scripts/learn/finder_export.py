@@ -12,9 +12,9 @@ import numpy
 import torch
 import torch.nn.functional as F
 
-from export import LARGEST_BYTE, LARGEST_WEIGHT, best_range
+from export import LARGEST_BYTE, add_layer, best_range, quantised
 from finder_net import CLASSES, doubled
-from integer_net import SHIFT
+from integer_net import scaled
 
 FORMAT = {"format": "graspdb finder", "format_version": "1"}
 SCORE_STEP = 1 / 16  # of the last layer's results
@@ -43,22 +43,14 @@ def whole_numbers(net, pictures):
         if number < len(net.layers) - 1:
             picture = picture.relu()
             out_step = best_range(picture) / LARGEST_BYTE
-        add_layer(tensors, number, weight * step[None, :, None, None], bias, out_step)
+        whole, unit = quantised(weight * step[None, :, None, None])  # the weights of whole inputs
+        factor = unit / out_step
+        assert factor.max() < 1 / 2, f"layer {number}: results too fine for a multiplier of 31 bits"
+        add_layer(tensors, number, whole, bias / unit, factor)
         step = torch.full((layer.outputs,), out_step)
         results.append(picture)
         steps.append(step)
     return tensors
-
-
-def add_layer(tensors, number, weight, bias, out_step):
-    """`weight` is that of whole inputs."""
-    step = weight.abs().amax((1, 2, 3)).clamp(min=1e-12) / LARGEST_WEIGHT
-    whole = torch.round(weight / step[:, None, None, None])
-    multiplier = numpy.round((step / out_step).double().numpy() * 2.0**SHIFT)
-    assert multiplier.max() < 2**31, f"layer {number}: scores too fine"
-    tensors[f"layer{number}.weight"] = numpy.ascontiguousarray(whole.permute(0, 2, 3, 1).numpy().astype(numpy.int8))
-    tensors[f"layer{number}.bias"] = numpy.round((bias / step).double().numpy()).astype(numpy.int32)
-    tensors[f"layer{number}.multiplier"] = multiplier.astype(numpy.int32)
 
 
 def export(net, pictures, extra):
@@ -82,8 +74,8 @@ def integer_scores(tensors, metadata, pictures):
         weight = torch.as_tensor(numpy.array(tensors[f"layer{number}.weight"])).permute(0, 3, 1, 2).double()
         bias = torch.as_tensor(numpy.array(tensors[f"layer{number}.bias"])).double()
         sums = F.conv2d(picture, weight, bias, layer["stride"], layer["padding"]).long()
-        multiplier = torch.as_tensor(numpy.array(tensors[f"layer{number}.multiplier"])).long()
-        picture = (sums * multiplier[None, :, None, None] + (1 << SHIFT - 1)) >> SHIFT
+        multiplier = numpy.array(tensors[f"layer{number}.multiplier"])[None, :, None, None]
+        picture = torch.as_tensor(scaled(sums.numpy(), multiplier))
         if number < len(layers) - 1:
             picture = picture.clamp(0, LARGEST_BYTE).double()
         results.append(picture)

@@ -64,6 +64,7 @@ def tell(figures):
 def scores_of_net(net):
     def scores(pictures):
         net.eval()
+        device = next(net.parameters()).device
         with torch.no_grad():
-            return net(torch.as_tensor(pictures).permute(0, 3, 1, 2).float() / 255)
+            return net(torch.as_tensor(pictures).to(device).permute(0, 3, 1, 2).float() / 255).cpu()
     return scores

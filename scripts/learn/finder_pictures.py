@@ -23,7 +23,7 @@ def middle(mask):
     return (columns.mean() / mask.shape[1], rows.mean() / mask.shape[0]) if len(rows) else (0.5, 0.5)
 
 
-def halved(path):
+def shrunk(path):
     picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
     small = cv2.resize(picture, SOURCE, interpolation=cv2.INTER_AREA)
     return np.rint(small / 257).astype(np.uint8)
@@ -36,11 +36,11 @@ class Pictures:
         for scene in sorted(path for folder in folders for path in pathlib.Path(folder).iterdir() if path.suffix == ""):
             for front in sorted(scene.glob("front*.png")):
                 labels = cv2.imread(str(scene / front.name.replace("front", "labels")), cv2.IMREAD_GRAYSCALE)
-                self.fronts.append(halved(front))
+                self.fronts.append(shrunk(front))
                 self.labels.append(cv2.resize(CLASS_OF_LABEL[labels], SOURCE, interpolation=cv2.INTER_NEAREST))
                 self.places.append(middle(self.labels[-1] == HAND))
                 self.room_of.append(len(self.rooms))
-            self.rooms.append(halved(scene / "room.png"))
+            self.rooms.append(shrunk(scene / "room.png"))
 
     def draw(self, rng):
         """(BGR bytes [H, W, 3], classes [H, W])."""

@@ -61,19 +61,21 @@ class Body(nn.Module):
 
 
 class Net(nn.Module):
-    def __init__(self, planes, layers, size):
+    """`body` gives codes of `size` numbers, not normalised, of whatever it reads."""
+
+    def __init__(self, body, size):
         super().__init__()
-        self.body = Body(planes, layers, size)
+        self.body = body
         self.sharpness = nn.Parameter(torch.tensor(8.0))  # how far apart directions are for the heads
         self.view = nn.Linear(size, DIRECTIONS * ROLLS)
         self.angles = nn.Linear(size, ANGLES)
         self.joints = nn.Linear(size, JOINTS * 3)
 
-    def forward(self, planes):
-        code = F.normalize(self.body(planes).float(), dim=1)
-        seen = code * self.sharpness
-        return {"code": code, "view": self.view(seen).float(), "angles": self.angles(seen).float(),
-                "joints": self.joints(seen).float().view(-1, JOINTS, 3)}
+    def forward(self, seen):
+        code = F.normalize(self.body(seen).float(), dim=1)
+        sharp = code * self.sharpness
+        return {"code": code, "view": self.view(sharp).float(), "angles": self.angles(sharp).float(),
+                "joints": self.joints(sharp).float().view(-1, JOINTS, 3)}
 
 
 def planes_of(samples, names, device="cpu"):

@@ -19,7 +19,7 @@ import losses
 import safetensors
 import starting_weights
 from measure import Measurement, tell
-from net import Net, multiplications, planes_of
+from net import Body, Net, multiplications, planes_of
 from recipe import Recipe
 from replicas import Replicas, has_half_numbers
 from shards import LABELS, Shards, batches, round_steps
@@ -37,7 +37,7 @@ class Trainer:
     def __init__(self, recipe, device):
         seed_all(recipe.seed)
         self.recipe, self.device = recipe, device
-        self.net = Net(len(recipe.planes), recipe.net_layers(), recipe.size).to(device)
+        self.net = Net(Body(len(recipe.planes), recipe.net_layers(), recipe.size), recipe.size).to(device)
         self.net.body.to(memory_format=torch.channels_last)
         self.losses, self.half = losses.Losses(recipe.weights, device), device == "cuda" or has_half_numbers()
         self.replicas = Replicas(self.net, self.loss_of, recipe.parts)

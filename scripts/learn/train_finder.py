@@ -3,6 +3,7 @@
 """Trains the finder of hands on photographs of scripts/blender/photoreal_scenes.py (docs/scenes.md)."""
 
 import argparse
+import collections
 import dataclasses
 import io
 import json
@@ -25,6 +26,7 @@ from teller import Teller
 from train import CHECKPOINT_S, keep_memory, seed_all
 
 MAKERS = 2  # processes that put pictures together
+AHEAD = 4  # batches that are being made
 CALIBRATION = 256
 FIRST_CALIBRATION = 10**9  # number of a picture that no training comes to
 MEASURED = 4  # times within a training
@@ -86,6 +88,10 @@ class Trainer:
         safetensors.write_aside(path, file.getvalue())
 
     @staticmethod
+    def recipe_of(path):
+        return Recipe(**torch.load(path, map_location="cpu")["recipe"])
+
+    @staticmethod
     def load(path, device):
         state = torch.load(path, map_location=device)
         trainer = Trainer(Recipe(**state["recipe"]), device)
@@ -104,12 +110,14 @@ class Maker:
         self.pool = multiprocessing.get_context("fork").Pool(MAKERS)
 
     def batches(self, size, first, count):
-        numbers = range(first * size, (first + count) * size)
-        made = self.pool.imap(draw, ((self.seed, number) for number in numbers), chunksize=8)
-        for _ in range(count):
-            drawn = [next(made) for _ in range(size)]
-            yield {"picture": numpy.stack([picture for picture, _ in drawn]),
-                   "classes": numpy.stack([classes for _, classes in drawn])}
+        waiting = collections.deque()
+        for number in range(first, first + count + AHEAD):
+            if number < first + count:
+                of_batch = range(number * size, (number + 1) * size)
+                waiting.append(self.pool.map_async(draw, [(self.seed, picture) for picture in of_batch]))
+            if number >= first + AHEAD:
+                pictures, classes = zip(*waiting.popleft().get())
+                yield {"picture": numpy.stack(pictures), "classes": numpy.stack(classes)}
 
 
 PICTURES = None  # of this process: set before others are forked, which share its memory
@@ -126,7 +134,7 @@ def train(trainer, maker, checkpoint, measurement):
         if time.monotonic() - saved > CHECKPOINT_S or trainer.step == trainer.steps:
             trainer.save(checkpoint)
             saved = time.monotonic()
-        if measurement and trainer.step % (trainer.steps // MEASURED) == 0 and trainer.step < trainer.steps:
+        if measurement and trainer.step % max(1, trainer.steps // MEASURED) == 0 and trainer.step < trainer.steps:
             trainer.replicas.join_statistics()
             finder_measure.tell(measurement.figures(finder_measure.scores_of_net(trainer.net)))
 
@@ -167,13 +175,15 @@ def main():
     keep_memory()
     options.work.mkdir(parents=True, exist_ok=True)
     PICTURES = Pictures(options.photos)
+    checkpoint = options.work / "checkpoint.pt"
     recipe = Recipe(**{field.name: getattr(options, field.name) for field in dataclasses.fields(Recipe)})
-    maker = Maker(recipe.seed)
+    if checkpoint.exists():
+        recipe = Trainer.recipe_of(checkpoint)
+    maker = Maker(recipe.seed)  # before there are threads, which are not forked
     measurement = None
     if options.photoreal:
         measurement = finder_measure.Photoreal(options.program, options.sequences, options.photoreal, options.work)
     device = "cuda" if torch.cuda.is_available() else "cpu"
-    checkpoint = options.work / "checkpoint.pt"
     trainer = Trainer.load(checkpoint, device) if checkpoint.exists() else Trainer(recipe, device)
     layers = trainer.net.layers
     print(f"{len(PICTURES.fronts)} hands, {len(PICTURES.rooms)} rooms; {multiplications(layers, HEIGHT, WIDTH) / 1e6:.0f} million "

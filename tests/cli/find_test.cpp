@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "graspdb/core/file.h"
 #include "graspdb/features/segmentation.h"
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/sequence.h"
@@ -73,10 +72,29 @@ TEST_F(Find, TruthTellsHowWellMasksAgree) {
 }
 
 TEST_F(Find, AFolderThatHoldsOtherFilesIsLeftAsItIs) {
-  const Outcome outcome = run_program("find " + path("frames") + " --out " + path("frames"));
+  const Outcome outcome = run_program("find " + path("frames") + " --out " + path("truth"));
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("masks only"));
-  EXPECT_TRUE(fs::exists(directory_ / "frames/hand0.png"));
+  EXPECT_TRUE(fs::exists(directory_ / "truth/hand0.png"));
+}
+
+TEST_F(Find, HandsThatAreNotFoundAreCounted) {
+  fs::create_directories(directory_ / "walls");
+  write_png(directory_ / "walls/hand0.png",
+            ColorImage(found_[0].width(), found_[0].height(), {200, 120, 60}));
+  const Outcome outcome = run_program("find " + path("walls") + " --out " + path("masks") +
+                                      " --truth " + path("truth"));
+  EXPECT_THAT(outcome.out, HasSubstr("worst 0.000 (hand0.png)"));
+  EXPECT_THAT(outcome.out, HasSubstr("hands that were not found: 1;"));
+}
+
+TEST_F(Find, WhatIsReadIsNotWrittenOver) {
+  const std::string find = "find " + path("frames") + " --out " + path("masks");
+  ASSERT_EQ(run_program(find).code, 0);
+  const Outcome outcome = run_program(find + " --truth " + path("masks"));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("is read from"));
+  EXPECT_TRUE(fs::exists(directory_ / "masks/hand0.png"));
 }
 
 TEST_F(Find, APictureWithoutAHandIsToldByTheExitStatus) {

@@ -157,5 +157,27 @@ TEST_F(PictureVerbs, ThePictureOfARowIsNearestToThatRow) {
   EXPECT_THAT(other_size.err, HasSubstr("256 x 256"));
 }
 
+TEST_F(PictureVerbs, EverySceneHasAFolder) {
+  write_text(in("right.toml"), "hands = [\"assets/hands/male.glb\"]\nmade_hands = 0\n");
+  const auto outcome = run_program(
+      "scenes --first 41 --count 2 --frames 1 --width 64 --height 48 "
+      "--config " +
+      in("right.toml") + " --out " + in("scenes"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* number : {"000041", "000042"}) {
+    const std::string folder = in("scenes") + "/" + number;
+    EXPECT_EQ(json::parse(read_text(folder + "/meshes.json")).at("camera").at("width_px"), 64);
+    EXPECT_EQ(read_gray(folder + "/labels/000000.png").height(), 48);
+  }
+}
+
+TEST_F(PictureVerbs, SamplesHaveTheHogsThatAreAskedFor) {
+  write_text(in("right.toml"), "hands = [\"assets/hands/male.glb\"]\nmade_hands = 0\n");
+  const auto outcome = run_program("samples --count 2 --hog paper --config " + in("right.toml") +
+                                   " --out " + in("samples.safetensors"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(read_text(in("samples.safetensors")), HasSubstr("\"hog\""));
+}
+
 }  // namespace
 }  // namespace graspdb

@@ -44,6 +44,7 @@ TEST(WrongUse, AnUnknownVerbIsNamed) {
 TEST(WrongUse, ValuesOutOfRangeAreRefused) {
   expect_wrong_use("build --out x --hog edgy", "--hog");
   expect_wrong_use("build --out x --renderer blender", "--renderer");
+  expect_wrong_use("samples --out x.safetensors --hog edgy", "--hog");
   expect_wrong_use("track db in --skin pale", "--skin");
   expect_wrong_use("track db in --roi 1,2,0,4", "--roi");
   expect_wrong_use("track db in --roi 1,2,3,-4", "--roi");
@@ -52,10 +53,10 @@ TEST(WrongUse, ValuesOutOfRangeAreRefused) {
 }
 
 const std::vector<std::string> kVerbs = {
-    "build",     "merge",      "info",      "verify",      "diff",        "query",
-    "render",    "export",     "track",     "sequence",    "eval",        "tune",
-    "bench",     "grasp list", "grasp new", "grasp close", "grasp check", "grasp sheet",
-    "hand make", "hand check", "hand sheet"};
+    "build",     "merge",      "info",       "verify",      "diff",        "query",
+    "render",    "export",     "track",      "sequence",    "eval",        "tune",
+    "bench",     "grasp list", "grasp new",  "grasp close", "grasp check", "grasp sheet",
+    "hand make", "hand check", "hand sheet", "find",        "samples",     "scenes"};
 
 // "--steps" of "  --steps N    Steps ..." for each option whose value is written so.
 std::vector<std::string> options_with(const std::string& value, const std::string& help) {

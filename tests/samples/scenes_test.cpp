@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "graspdb/core/file.h"
@@ -87,6 +88,8 @@ TEST(SceneMaker, HandsAreSeenAndArmsDoNotReachTheCamera) {
     const MeshFrames scene = scene_maker().make(number);
     for (const FrameGeometry& frame : scene.frames) {
       const auto joints = keypoints_in_hand(scene.hand.skeleton, frame.pose.angles);
+      const Eigen::Vector3d palm = palm_center(scene.hand.skeleton, frame.pose.angles);
+      EXPECT_TRUE(inside_picture(scene.camera, frame.camera_from_hand * palm)) << number;
       int inside = 0;
       for (const auto& joint : joints.colwise())
         inside += inside_picture(scene.camera, frame.camera_from_hand * Eigen::Vector3d(joint));

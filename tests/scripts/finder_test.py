@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Half a minute of learning to find, on discs before noise: the loss falls, discs are found, whole numbers do as well
 as floats, and a training that was cut goes on."""
+import dataclasses
 import pathlib
 import sys
 import tempfile
@@ -19,6 +20,7 @@ except ImportError:
     sys.exit(77)  # CTest's SKIP_RETURN_CODE
 
 import finder_export
+import safetensors
 import train_finder
 from finder_measure import hand_of, iou, scores_of_net
 from finder_pictures import HAND, Pictures
@@ -85,12 +87,25 @@ class Finder(unittest.TestCase):
         numpy.testing.assert_array_equal(again["picture"], self.unseen["picture"])
         self.assertFalse((next(self.maker.batches(48, 1001, 1))["picture"] == again["picture"]).all())
 
-    def test_a_training_goes_on_where_it_was(self):
-        self.trainer.save(self.path / "checkpoint.pt")
-        again = train_finder.Trainer.load(self.path / "checkpoint.pt", "cpu")
-        self.assertEqual(again.step, self.trainer.step)
-        pictures = self.unseen["picture"]
-        self.assertTrue(torch.equal(scores_of_net(again.net)(pictures), scores_of_net(self.trainer.net)(pictures)))
+    def test_a_training_that_was_cut_goes_on_as_if_nothing_had_been(self):
+        recipe = dataclasses.replace(RECIPE, pictures=20 * 16, seed=3)
+        maker, checkpoint = train_finder.Maker(recipe.seed), self.path / "checkpoint.pt"
+        self.addCleanup(maker.pool.terminate)
+        cut = train_finder.Trainer(recipe, "cpu")
+        for batch in maker.batches(16, 0, 8):
+            cut.learn(batch)
+        cut.save(checkpoint)
+        self.assertEqual(train_finder.Trainer.recipe_of(checkpoint), recipe)
+        again = train_finder.Trainer.load(checkpoint, "cpu")
+        for trainer in (cut, again):
+            train_finder.train(trainer, maker, self.path / "end.pt", None)
+            self.assertEqual(trainer.step, 20)
+        for one, other in zip(cut.net.state_dict().values(), again.net.state_dict().values()):
+            torch.testing.assert_close(one, other)
+        train_finder.write_weights(again, maker, None, self.path / "finder.safetensors")
+        tensors, metadata = safetensors.read(self.path / "finder.safetensors")
+        self.assertEqual(metadata["pictures_seen"], "320")
+        self.assertEqual(tensors["layer3.weight"].shape, (8, 3, 3, 24))
 
 
 if __name__ == "__main__":
