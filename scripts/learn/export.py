@@ -80,7 +80,7 @@ def fast_sums(picture, weight, stride, padding):
     """As integer_net's, but by oneDNN: exact, since floats of 32 bits hold whole numbers up to 2^24,
     which these sums stay below (the test compares the two)."""
     planes = torch.as_tensor(picture).permute(0, 3, 1, 2).float()
-    kernel = torch.as_tensor(weight).permute(0, 3, 1, 2).float()
+    kernel = torch.as_tensor(numpy.array(weight)).permute(0, 3, 1, 2).float()
     return F.conv2d(planes, kernel, None, stride, padding).permute(0, 2, 3, 1).numpy().astype(numpy.int32)
 
 
