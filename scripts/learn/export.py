@@ -18,12 +18,16 @@ CLIPPED = 1e-4  # share of a code's values beyond what a byte holds
 RANGES = numpy.linspace(0.3, 1, 36)  # of a layer's largest output, that are tried
 
 
+def with_norm(convolution, norm):
+    """(weight, bias) of a convolution, the batch norm after it taken in."""
+    factor = norm.weight / torch.sqrt(norm.running_var + norm.eps)
+    return convolution.weight * factor[:, None, None, None], norm.bias - norm.running_mean * factor
+
+
 def folded(body):
-    """(weight, bias) of each convolution, batch norm taken in."""
-    pairs, blocks = [], list(body.blocks)
-    for convolution, norm in zip(blocks[0::3], blocks[1::3]):
-        factor = norm.weight / torch.sqrt(norm.running_var + norm.eps)
-        pairs.append((convolution.weight * factor[:, None, None, None], norm.bias - norm.running_mean * factor))
+    """(weight, bias) of each convolution."""
+    blocks = list(body.blocks)
+    pairs = [with_norm(convolution, norm) for convolution, norm in zip(blocks[0::3], blocks[1::3])]
     pairs.append((body.code.weight, body.code.bias))
     return [(weight.detach().cpu().float(), bias.detach().cpu().float()) for weight, bias in pairs]
 

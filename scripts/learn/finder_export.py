@@ -12,7 +12,7 @@ import numpy
 import torch
 import torch.nn.functional as F
 
-from export import LARGEST_BYTE, add_layer, best_range, quantised
+from export import LARGEST_BYTE, add_layer, best_range, quantised, with_norm
 from finder_net import CLASSES, doubled
 from integer_net import scaled
 
@@ -21,13 +21,10 @@ SCORE_STEP = 1 / 16  # of the last layer's results
 
 
 def folded(block):
-    """(weight, bias) of a convolution, batch norm taken in."""
-    if isinstance(block, torch.nn.Conv2d):
-        return block.weight.detach().float(), block.bias.detach().float()
-    convolution, norm = block[0], block[1]
-    factor = norm.weight / torch.sqrt(norm.running_var + norm.eps)
-    weight = convolution.weight * factor[:, None, None, None]
-    return weight.detach().float(), (norm.bias - norm.running_mean * factor).detach().float()
+    """(weight, bias) of a layer, of which the last has no norm."""
+    is_last = isinstance(block, torch.nn.Conv2d)
+    weight, bias = (block.weight, block.bias) if is_last else with_norm(block[0], block[1])
+    return weight.detach().float(), bias.detach().float()
 
 
 def whole_numbers(net, pictures):

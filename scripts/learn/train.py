@@ -3,21 +3,19 @@
 """Trains a learned descriptor on our own pictures and writes its weights (scripts/learn.sh)."""
 
 import argparse
-import ctypes
 import dataclasses
 import io
 import json
 import pathlib
-import random
 import time
 
-import numpy
 import torch
 
 import export
 import losses
 import safetensors
 import starting_weights
+from learner import CHECKPOINT_S, Learner, keep_memory, seed_all
 from measure import Measurement, tell
 from net import Body, Net, multiplications, planes_of
 from recipe import Recipe
@@ -25,7 +23,6 @@ from replicas import Replicas, has_half_numbers
 from shards import LABELS, Shards, batches, round_steps
 from teller import Teller
 
-CHECKPOINT_S = 300
 CALIBRATION = 4096
 ALL_MEASURED = 4  # times within a training
 MAKING_LEAVES = 0.85  # of the processors' time, while shards are made beside
@@ -33,7 +30,7 @@ MAKING_LEAVES = 0.85  # of the processors' time, while shards are made beside
 RECIPE_OPTIONS = ("layers", "size", "seed", "crops", "batch", "parts", "shard", "rate")
 
 
-class Trainer:
+class Trainer(Learner):
     def __init__(self, recipe, device):
         seed_all(recipe.seed)
         self.recipe, self.device = recipe, device
@@ -68,19 +65,6 @@ class Trainer:
     def steps(self):
         return self.rounds * self.round_steps
 
-    @property
-    def share(self):
-        return self.step / self.steps
-
-    def learn(self, batch):
-        for group in self.optimizer.param_groups:
-            group["lr"] = self.recipe.rate_at(self.share)
-        parts = self.replicas.learn(batch)
-        self.optimizer.step()
-        self.replicas.spread()
-        self.step += 1
-        return parts
-
     def save(self, path, assets):
         file = io.BytesIO()
         torch.save({"recipe": self.recipe.json(), "net": self.net.state_dict(), "assets": assets,
@@ -97,12 +81,6 @@ class Trainer:
         trainer.replicas.copy_all()
         trainer.round, trainer.step, trainer.started_from = state["round"], state["step"], state.get("started_from")
         return trainer, state["assets"]
-
-
-def seed_all(seed):
-    random.seed(seed)
-    numpy.random.seed(seed)
-    torch.manual_seed(seed)
 
 
 def train(trainer, shards, checkpoint, measurement):
@@ -190,16 +168,6 @@ def parsed():
     for field in dataclasses.fields(losses.Weights):
         parser.add_argument(f"--{field.name.replace('_', '-')}", default=field.default, type=float)
     return parser.parse_args()
-
-
-def keep_memory():
-    """Has tensors' memory used again. Given back to the kernel in between, it would be cleared anew each time:
-    1,770 crops a second instead of 820."""
-    m_trim_threshold, m_top_pad, m_mmap_threshold, m_arena_max = -1, -2, -3, -8
-    mallopt = ctypes.CDLL(None).mallopt
-    for option, value in ((m_arena_max, 1), (m_mmap_threshold, 32 << 20), (m_trim_threshold, (1 << 31) - 1),
-                          (m_top_pad, 128 << 20)):
-        mallopt(option, value)
 
 
 def check_started_from(trainer, options):

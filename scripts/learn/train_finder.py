@@ -20,10 +20,10 @@ import finder_measure
 import safetensors
 from finder_net import LAYERS, FinderNet, layers_from, multiplications
 from finder_pictures import HEIGHT, WIDTH, Pictures
+from learner import CHECKPOINT_S, Learner, keep_memory, seed_all
 from recipe import one_cycle
 from replicas import Replicas, has_half_numbers
 from teller import Teller
-from train import CHECKPOINT_S, keep_memory, seed_all
 
 MAKERS = 2  # processes that put pictures together
 AHEAD = 4  # batches that are being made
@@ -44,8 +44,11 @@ class Recipe:
     decay: float = 1e-2
     hand_weight: float = 2.0  # in the loss, of what is hand
 
+    def rate_at(self, share):
+        return one_cycle(self.rate, self.warm_up, share)
 
-class Trainer:
+
+class Trainer(Learner):
     def __init__(self, recipe, device):
         seed_all(recipe.seed)
         self.recipe, self.device, self.half = recipe, device, device == "cuda" or has_half_numbers()
@@ -59,10 +62,6 @@ class Trainer:
     def steps(self):
         return self.recipe.pictures // self.recipe.batch
 
-    @property
-    def share(self):
-        return self.step / self.steps
-
     def loss_of(self, net, batch):
         pictures = torch.as_tensor(batch["picture"]).to(self.device).permute(0, 3, 1, 2).float().div_(255)
         with torch.autocast(self.device, torch.bfloat16, enabled=self.half):
@@ -70,15 +69,6 @@ class Trainer:
         wide = F.interpolate(scores.float(), size=(HEIGHT, WIDTH), mode="bilinear", align_corners=False)
         loss = F.cross_entropy(wide, torch.as_tensor(batch["classes"]).to(self.device).long(), self.weights)
         return loss, {"loss": loss.item()}
-
-    def learn(self, batch):
-        for group in self.optimizer.param_groups:
-            group["lr"] = one_cycle(self.recipe.rate, self.recipe.warm_up, self.share)
-        parts = self.replicas.learn(batch)
-        self.optimizer.step()
-        self.replicas.spread()
-        self.step += 1
-        return parts
 
     def save(self, path):
         self.replicas.join_statistics()

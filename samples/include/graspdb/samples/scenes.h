@@ -25,8 +25,8 @@ class SceneMaker {
   SceneMaker(const SampleConfig& config, const SceneOptions& options, int threads = 0);
   ~SceneMaker();
 
-  // The palm is in the picture, and half of the joints are, in every frame; the arm does not reach
-  // behind the camera.
+  // The palm is in the picture, and half of the joints are, in every frame; the elbow is in
+  // front of the camera.
   MeshFrames make(std::uint64_t number) const;
 
  private:
