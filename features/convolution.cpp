@@ -21,13 +21,13 @@ namespace graspdb {
 namespace HWY_NAMESPACE {
 #if !GRASPDB_HAS_BYTE_QUADS
 
-void ConvolveRow(const Convolution& layer, std::span<const std::uint8_t> picture, std::size_t y,
+void ConvolveRow(const Convolution& layer, const PaddedPicture& picture, std::size_t y,
                  std::span<std::int32_t> row) {
-  const std::size_t line = layer.padded_side() * layer.inputs;
+  const std::size_t line = picture.line();
   const std::size_t across = layer.kernel * layer.inputs;
-  for (std::size_t x = 0; x < layer.out_side(); ++x) {
+  for (std::size_t x = 0; x < layer.out_size(picture.width); ++x) {
     const std::uint8_t* window =
-        picture.data() + y * layer.stride * line + x * layer.stride * layer.inputs;
+        picture.bytes.data() + y * layer.stride * line + x * layer.stride * layer.inputs;
     for (std::size_t out = 0; out < layer.outputs; ++out) {
       const std::int8_t* weight = layer.weights.data() +
                                   out / kOutputBlock * layer.kernel * across * kOutputBlock +
@@ -71,9 +71,8 @@ HWY_INLINE SumsVec Scaled(SumsVec sums, SumsVec multipliers) {
 // kPixels neighbours of the result, for kVectors times as many outputs as a vector has lanes.
 template <std::size_t kVectors, std::size_t kPixels>
 HWY_INLINE void ConvolvePixels(const Convolution& layer, const std::uint8_t* HWY_RESTRICT window,
-                               std::size_t out, std::int32_t* HWY_RESTRICT row) {
+                               std::size_t line, std::size_t out, std::int32_t* HWY_RESTRICT row) {
   const Sums s;
-  const std::size_t line = layer.padded_side() * layer.inputs;
   const std::size_t across = layer.kernel * layer.inputs, step = layer.stride * layer.inputs;
   std::array<const std::int8_t*, kVectors> weight;
   std::array<std::array<SumsVec, kPixels>, kVectors> sums;
@@ -105,26 +104,26 @@ HWY_INLINE void ConvolvePixels(const Convolution& layer, const std::uint8_t* HWY
 }
 
 template <std::size_t kVectors>
-HWY_INLINE void ConvolveOutputs(const Convolution& layer, const std::uint8_t* HWY_RESTRICT start,
-                                std::size_t out, std::int32_t* HWY_RESTRICT row) {
+HWY_INLINE void ConvolveOutputs(const Convolution& layer, const PaddedPicture& picture,
+                                std::size_t y, std::size_t out, std::int32_t* HWY_RESTRICT row) {
   constexpr std::size_t kMany = 4;  // pixels that share each load of weights
-  const std::size_t step = layer.stride * layer.inputs, width = layer.out_side();
+  const std::size_t line = picture.line(), width = layer.out_size(picture.width);
+  const std::size_t step = layer.stride * layer.inputs;
+  const std::uint8_t* start = picture.bytes.data() + y * layer.stride * line;
   std::size_t x = 0;
   for (; x + kMany <= width; x += kMany)
-    ConvolvePixels<kVectors, kMany>(layer, start + x * step, out, row + x * layer.outputs);
+    ConvolvePixels<kVectors, kMany>(layer, start + x * step, line, out, row + x * layer.outputs);
   for (; x < width; ++x)
-    ConvolvePixels<kVectors, 1>(layer, start + x * step, out, row + x * layer.outputs);
+    ConvolvePixels<kVectors, 1>(layer, start + x * step, line, out, row + x * layer.outputs);
 }
 
-void ConvolveRow(const Convolution& layer, std::span<const std::uint8_t> picture, std::size_t y,
+void ConvolveRow(const Convolution& layer, const PaddedPicture& picture, std::size_t y,
                  std::span<std::int32_t> row) {
-  const std::uint8_t* start =
-      picture.data() + y * layer.stride * layer.padded_side() * layer.inputs;
   const std::size_t lanes = hn::Lanes(Sums());
   std::size_t out = 0;
   for (; out + 2 * lanes <= layer.outputs; out += 2 * lanes)
-    ConvolveOutputs<2>(layer, start, out, row.data());
-  for (; out < layer.outputs; out += lanes) ConvolveOutputs<1>(layer, start, out, row.data());
+    ConvolveOutputs<2>(layer, picture, y, out, row.data());
+  for (; out < layer.outputs; out += lanes) ConvolveOutputs<1>(layer, picture, y, out, row.data());
 }
 
 #endif
@@ -138,9 +137,23 @@ namespace graspdb {
 
 HWY_EXPORT(ConvolveRow);
 
-void convolve_row(const Convolution& layer, std::span<const std::uint8_t> picture, std::size_t y,
+void convolve_row(const Convolution& layer, const PaddedPicture& picture, std::size_t y,
                   std::span<std::int32_t> row) {
   HWY_DYNAMIC_DISPATCH(ConvolveRow)(layer, picture, y, row);
+}
+
+PaddedPicture convolve(const Convolution& layer, const PaddedPicture& picture,
+                       std::size_t next_padding) {
+  PaddedPicture result(layer.out_size(picture.width), layer.out_size(picture.height), layer.outputs,
+                       next_padding);
+  std::vector<std::int32_t> row(result.width * layer.outputs);
+  for (std::size_t y = 0; y < result.height; ++y) {
+    convolve_row(layer, picture, y, row);
+    std::ranges::transform(row, result.row(y), [](std::int32_t value) {
+      return static_cast<std::uint8_t>(std::clamp(value, 0, 255));
+    });
+  }
+  return result;
 }
 
 }  // namespace graspdb

@@ -10,40 +10,21 @@
 namespace graspdb {
 namespace {
 
-// With a frame of zeros, as a layer wants it.
-using Picture = std::vector<std::uint8_t>;
-
-Picture first_picture(const Net& net, const HandCrop& crop) {
+PaddedPicture first_picture(const Net& net, const HandCrop& crop) {
   const Convolution& layer = net.layers.front();
-  Picture picture(layer.padded_side() * layer.padded_side() * layer.inputs);
+  PaddedPicture picture(kCropSide, kCropSide, layer.inputs, layer.padding);
   for (std::size_t plane = 0; plane < net.planes.size(); ++plane) {
     const CropPlane& pixels = crop.*net.planes[plane];
     for (std::size_t i = 0; i < kCropPixels; ++i) {
-      const std::size_t x = i % kCropSide + layer.padding, y = i / kCropSide + layer.padding;
-      picture[(y * layer.padded_side() + x) * layer.inputs + plane] = pixels[i];
+      picture.row(i / kCropSide)[i % kCropSide * layer.inputs + plane] = pixels[i];
     }
   }
   return picture;
 }
 
-// What a layer gives, cut to a byte, with the frame of the next one.
-Picture next_picture(const Convolution& layer, const Convolution& next, const Picture& picture) {
-  Picture result(next.padded_side() * next.padded_side() * next.inputs);
-  std::vector<std::int32_t> row(layer.out_side() * layer.outputs);
-  for (std::size_t y = 0; y < layer.out_side(); ++y) {
-    convolve_row(layer, picture, y, row);
-    const std::size_t start =
-        ((y + next.padding) * next.padded_side() + next.padding) * next.inputs;
-    std::ranges::transform(
-        row, result.begin() + static_cast<std::ptrdiff_t>(start),
-        [](std::int32_t value) { return static_cast<std::uint8_t>(std::clamp(value, 0, 255)); });
-  }
-  return result;
-}
-
-std::vector<std::int64_t> last_values(const Net& net, Picture picture) {
+std::vector<std::int64_t> last_values(const Net& net, PaddedPicture picture) {
   for (std::size_t i = 0; i + 1 < net.layers.size(); ++i) {
-    picture = next_picture(net.layers[i], net.layers[i + 1], picture);
+    picture = convolve(net.layers[i], picture, net.layers[i + 1].padding);
   }
   std::vector<std::int32_t> row(net.layers.back().outputs);
   convolve_row(net.layers.back(), picture, 0, row);

@@ -50,6 +50,7 @@ fuzz() {
 fuzz build_config
 fuzz closed_poses grasps/closed/*.toml
 fuzz database tests/database/golden/*.graspdb
+fuzz finder
 fuzz grasp grasps/*.toml grasps/examples/*.toml
 fuzz hand_file
 fuzz object_file

@@ -11,7 +11,7 @@ import torch
 import torch.nn.functional as F
 from torch import nn
 
-LAYERS = "5x16/2 3x32/2 3x32 3x64/2 3x64 3x96/2 3x96 3x96 3x64+4 3x32+2 3x24+0 1x4"
+LAYERS = "5x16/2 3x32/2 3x32 3x64/2 3x64 3x96/2 3x96 3x96 3x64+4 3x32+2 3x32+0 1x4"
 CLASSES = ("rest", "hand", "arm", "object")
 
 

@@ -8,12 +8,12 @@ import cv2
 import numpy as np
 
 WIDTH, HEIGHT = 160, 120
-SOURCE = (240, 180)  # what is kept of a rendered picture
+SOURCE = (320, 240)  # what is kept of a rendered picture
 BRIGHTEST = 4  # of light in the files, at 65535
 HAND = 1
 CLASS_OF_LABEL = np.array([0, 1, 2, 3, 2], np.uint8)  # a sleeve is arm
 HANDS = (0.1, 0.75, 0.15)  # shares of pictures with none, one and two
-SMALLEST_CROP = 0.55
+SMALLEST_CROP = 0.4
 OTHER_ROOM = 0.7
 
 
@@ -31,7 +31,7 @@ def shrunk(path):
 
 class Pictures:
     def __init__(self, folders):
-        """All scenes of these folders, read into memory: 1 MB each."""
+        """All scenes of these folders, read into memory: 2 MB each."""
         self.rooms, self.fronts, self.labels, self.places, self.room_of = [], [], [], [], []
         for scene in sorted(path for folder in folders for path in pathlib.Path(folder).iterdir() if path.suffix == ""):
             for front in sorted(scene.glob("front*.png")):

@@ -9,15 +9,18 @@
 #include <functional>
 
 #include "features/net_bytes.h"
+#include "features/plain_layer.h"
 #include "graspdb/core/error.h"
 #include "support/instruction_sets.h"
 
 namespace graspdb {
 namespace {
 
+using testing::Cube;
 using ::testing::HasSubstr;
 using testing::NetFile;
 using testing::NetLayer;
+using testing::plain_layer;
 using testing::small_net;
 
 HandCrop random_crop(std::uint64_t seed) {
@@ -29,54 +32,8 @@ HandCrop random_crop(std::uint64_t seed) {
   return crop;
 }
 
-// The net as docs/descriptors.md states it, number by number.
-struct Cube {
-  std::size_t side, channels;
-  std::vector<std::int64_t> values;
-  std::int64_t at(std::ptrdiff_t x, std::ptrdiff_t y, std::size_t channel) const {
-    const auto end = static_cast<std::ptrdiff_t>(side);
-    if (x < 0 || y < 0 || x >= end || y >= end) return 0;
-    return values[(static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)) * channels +
-                  channel];
-  }
-};
-
-std::int64_t product_sum(const NetLayer& layer, const Cube& in, std::size_t out, std::ptrdiff_t x,
-                         std::ptrdiff_t y) {
-  std::int64_t sum = layer.bias[out];
-  std::size_t weight = out * layer.kernel * layer.kernel * layer.inputs;
-  for (std::size_t i = 0; i < layer.kernel; ++i) {
-    for (std::size_t j = 0; j < layer.kernel; ++j) {
-      for (std::size_t c = 0; c < layer.inputs; ++c) {
-        sum += layer.weights[weight++] *
-               in.at(x + static_cast<std::ptrdiff_t>(j), y + static_cast<std::ptrdiff_t>(i), c);
-      }
-    }
-  }
-  return sum;
-}
-
-Cube plain_layer(const NetLayer& layer, const Cube& in, bool is_last) {
-  const std::size_t padded = in.side + 2 * static_cast<std::size_t>(layer.padding);
-  Cube result{
-      (padded - layer.kernel) / static_cast<std::size_t>(layer.stride) + 1, layer.outputs, {}};
-  const auto side = static_cast<std::ptrdiff_t>(result.side);
-  for (std::ptrdiff_t y = 0; y < side; ++y) {
-    for (std::ptrdiff_t x = 0; x < side; ++x) {
-      for (std::size_t out = 0; out < layer.outputs; ++out) {
-        const std::int64_t sum = product_sum(layer, in, out, x * layer.stride - layer.padding,
-                                             y * layer.stride - layer.padding);
-        const auto value = static_cast<std::int64_t>(std::floor(
-            (static_cast<long double>(sum) * layer.multiplier[out]) / 4294967296.0L + 0.5L));
-        result.values.push_back(is_last ? value : std::clamp<std::int64_t>(value, 0, 255));
-      }
-    }
-  }
-  return result;
-}
-
 Embedding plain_code(const NetFile& file, const HandCrop& crop, double scale) {
-  Cube cube{kCropSide, 2, {}};
+  Cube cube{kCropSide, kCropSide, 2, {}};
   for (std::size_t i = 0; i < kCropPixels; ++i) {
     cube.values.insert(cube.values.end(), {crop.gray[i], crop.mask[i]});
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,13 @@ struct NetLayer {
   int stride, padding;
   std::vector<std::int8_t> weights;  // [outputs][kernel][kernel][inputs]
   std::vector<std::int32_t> bias, multiplier;
+  std::optional<std::size_t> beside = {};  // of a finder
 };
 
 // Sums become about as large as a byte.
 inline NetLayer random_layer(std::size_t outputs, std::size_t kernel, std::size_t inputs,
                              int stride, int padding, RandomStream& random) {
-  NetLayer layer{outputs, kernel, inputs, stride, padding, {}, {}, {}};
+  NetLayer layer{outputs, kernel, inputs, stride, padding, {}, {}, {}, {}};
   const std::size_t products = kernel * kernel * inputs;
   for (std::size_t i = 0; i < outputs * products; ++i) {
     layer.weights.push_back(static_cast<std::int8_t>(static_cast<int>(random.below(256)) - 128));
@@ -61,6 +63,7 @@ struct NetFile {
       add(name + ".bias", "I32", {layer.outputs}, layer.bias);
       add(name + ".multiplier", "I32", {layer.outputs}, layer.multiplier);
       table.push_back({{"stride", layer.stride}, {"padding", layer.padding}});
+      if (layer.beside) table.back()["beside"] = *layer.beside;
     }
     auto all = metadata;
     all.insert({"layers", table.dump()});
@@ -74,6 +77,23 @@ inline NetFile small_net(std::uint64_t seed) {
   NetFile file;
   file.layers = {random_layer(9, 5, 2, 3, 1, random), random_layer(20, 3, 9, 2, 1, random),
                  random_layer(64, 11, 20, 1, 0, random)};
+  return file;
+}
+
+inline NetFile finder_file(std::vector<NetLayer> layers) {
+  return {std::move(layers),
+          {{"format", "graspdb finder"},
+           {"format_version", "1"},
+           {"parts", R"(["rest", "hand", "arm", "object"])"}}};
+}
+
+// Down to a quarter and up to half of the size, with odd numbers of channels.
+inline NetFile small_finder(std::uint64_t seed) {
+  RandomStream random(seed);
+  NetFile file =
+      finder_file({random_layer(5, 5, 3, 2, 2, random), random_layer(9, 3, 5, 2, 1, random),
+                   random_layer(7, 3, 9 + 5, 1, 1, random), random_layer(4, 1, 7, 1, 0, random)});
+  file.layers[2].beside = 0;
   return file;
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A learned finder: a small net in whole numbers that tells hand, arm and held object from the rest
+// of a colour frame.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "graspdb/core/image.h"
+
+namespace graspdb {
+
+// How much more a cell looks like a part than like any other: 128 and above, more.
+using PartCells = Image<std::uint8_t>;
+
+struct FrameParts {
+  PartCells hand, arm, object;
+  Box window;       // of the frame, from whose upper left corner cells are counted
+  int cell_px = 1;  // width and height of a cell in the frame
+};
+
+struct FoundHand {
+  Mask hand;  // up to the wrist; pieces on all sides of a held object
+  Mask arm;   // what belongs to it of forearm and sleeve
+};
+
+// Immutable; thread-safe.
+class HandFinder {
+ public:
+  // A file of weights (docs/finders.md). Throws Error naming file and key for one that is altered,
+  // of another version or whose parts do not fit.
+  static HandFinder load(const std::filesystem::path& file);
+  // `name` stands for the file in messages.
+  static HandFinder parse(std::string bytes, const std::string& name);
+  ~HandFinder();
+  HandFinder(HandFinder&&) noexcept;
+  HandFinder& operator=(HandFinder&&) noexcept;
+
+  const std::string& hash() const;  // of the file
+  // What the pixels in a window show, which lies within the frame and is not empty; it is looked at
+  // with some 20,000 pixels. The same bytes on every processor.
+  FrameParts look(const ColorImage& frame, const Box& window) const;
+  // The hand of which most is seen, of those that reach into `roi`, when given; none when no hand
+  // is seen. Two looks at most: at the frame, and at the hand alone when it shows more of it.
+  std::optional<FoundHand> find(const ColorImage& frame, const std::optional<Box>& roi = {}) const;
+
+ private:
+  struct State;
+  explicit HandFinder(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace graspdb
