@@ -86,6 +86,7 @@ class FindRun {
  public:
   explicit FindRun(const FindArguments& options)
       : options_(options),
+        finder_(options.finder.options()),
         source_(open_source(options.input, options.truth)),
         folder_(options.out) {}
 
@@ -110,8 +111,7 @@ class FindRun {
 
  private:
   void one_frame(const InputFrame& frame) {
-    const FinderSettings& finder = options_.finder;
-    const Mask hand = find_hand(frame.color, finder.box(), finder.skin);
+    const Mask hand = find_hand(frame.color, options_.finder.box(), finder_);
     const std::string name = mask_name(frame);
     folder_.write(name, hand);
     ++frames_;
@@ -120,6 +120,7 @@ class FindRun {
   }
 
   const FindArguments& options_;
+  const FinderOptions finder_;
   std::unique_ptr<FrameSource> source_;
   MaskFolder folder_;
   Agreement agreement_;
@@ -153,7 +154,8 @@ void add_find(CLI::App& app) {
       ->check(output_folder());
   verb->add_option("--truth", options->truth,
                    "A folder of true masks, named alike: tells how well the found ones agree");
-  add_finder_options(*verb, options->finder);
+  add_finder_option(*verb, options->finder);
+  add_roi_option(*verb, options->finder);
   verb->footer(
       "`track --masks` takes such masks, mended by hand or not. The exit status is 3 when no "
       "frame\n"

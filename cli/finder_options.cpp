@@ -3,6 +3,12 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
 #include "checks.h"
 #include "graspdb/core/error.h"
 
@@ -11,6 +17,17 @@ namespace {
 
 constexpr int kMaxSide = 100000;  // of a picture, pixels
 
+using NamedRule = std::pair<std::string_view, SkinRule>;
+constexpr std::array<NamedRule, 2> kSkinRules = {
+    {{"redness", SkinRule::kRedness}, {"box", SkinRule::kBox}}};
+
+// A check of CLI11: an empty answer says that all is well.
+std::string check_finder(const std::string& finder) {
+  if (std::ranges::find(kSkinRules, finder, &NamedRule::first) != kSkinRules.end()) return "";
+  if (finder.ends_with(".safetensors") || std::filesystem::exists(finder_file(finder))) return "";
+  return finder + ": neither redness nor box nor a learned finder's name or file";
+}
+
 }  // namespace
 
 std::optional<Box> FinderSettings::box() const {
@@ -18,15 +35,27 @@ std::optional<Box> FinderSettings::box() const {
   return Box{roi[0], roi[1], roi[2], roi[3]};
 }
 
-void add_finder_options(CLI::App& verb, FinderSettings& settings) {
-  verb.add_option("--roi", settings.roi, "Only skin regions that touch this box: x,y,w,h in pixels")
+FinderOptions FinderSettings::options() const {
+  const auto known = std::ranges::find(kSkinRules, finder, &NamedRule::first);
+  if (known != kSkinRules.end()) return {.net = nullptr, .skin = {.rule = known->second}};
+  const bool is_file = finder.ends_with(".safetensors");
+  return {.net = std::make_shared<HandFinder>(
+              HandFinder::load(is_file ? std::filesystem::path(finder) : finder_file(finder)))};
+}
+
+CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings) {
+  return verb
+      .add_option("--finder", settings.finder,
+                  "How hands are found: redness, of what is redder than the frame's own threshold; "
+                  "box, the paper's box in HSV; or the weights of a learned finder (.safetensors)")
+      ->check(check_finder);
+}
+
+void add_roi_option(CLI::App& verb, FinderSettings& settings) {
+  verb.add_option("--roi", settings.roi, "Only hands that reach into this box: x,y,w,h in pixels")
       ->delimiter(',')
       ->expected(4)
       ->check(range(-kMaxSide, kMaxSide));
-  verb.add_option("--skin", settings.skin.rule,
-                  "redness: redder than the frame's own threshold; box: the paper's box in HSV")
-      ->transform(named<SkinRule>({{"redness", SkinRule::kRedness}, {"box", SkinRule::kBox}}))
-      ->default_str("redness");
 }
 
 void require_frames(const FrameSource& source, const std::string& input, std::size_t frames) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the hand is found in colour frames: what `track` and `find` share.
+// How the hand is found in colour frames: what `track`, `find`, `eval` and `tune` share.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,19 +8,22 @@
 #include <vector>
 
 #include "graspdb/core/image.h"
-#include "graspdb/features/segmentation.h"
+#include "graspdb/features/hand_finder.h"
 #include "graspdb/video/frame_source.h"
 
 namespace graspdb::cli {
 
 struct FinderSettings {
+  std::string finder = "redness";
   std::vector<int> roi;  // x, y, width, height; empty: none
-  SkinOptions skin;
 
+  // Reads the net's file. Throws Error for one that cannot be read.
+  FinderOptions options() const;
   std::optional<Box> box() const;
 };
 
-void add_finder_options(CLI::App& verb, FinderSettings& settings);
+CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings);
+void add_roi_option(CLI::App& verb, FinderSettings& settings);
 
 // Throws Error, with what the source says of itself, when it had no frames.
 void require_frames(const FrameSource& source, const std::string& input, std::size_t frames);

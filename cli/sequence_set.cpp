@@ -38,7 +38,7 @@ std::vector<SequenceSpec> load_all(const SequenceSetOptions& options) {
 }  // namespace
 
 SequenceSet::SequenceSet(SequenceSetOptions options)
-    : options_(std::move(options)), specs_(load_all(options_)) {
+    : options_(std::move(options)), finder_(options_.finder.options()), specs_(load_all(options_)) {
   if (!options_.photoreal.empty()) {
     specs_ = with_photoreal_frames(std::move(specs_), options_.photoreal);
   }
@@ -69,13 +69,14 @@ SequenceFrames SequenceSet::frames(const SequenceRenderer& renderer) const {
   if (options_.photoreal.empty()) return render_frames(renderer);
   const FrameKind kind =
       options_.true_masks ? FrameKind::kPhotorealTrueMasks : FrameKind::kPhotoreal;
-  return photoreal_frames(renderer, options_.photoreal, kind);
+  return photoreal_frames(renderer, options_.photoreal, kind, finder_);
 }
 
 nlohmann::json SequenceSet::json() const {
   nlohmann::json left_out = nlohmann::json::array();
   for (const auto& [name, why] : left_out_) left_out.push_back({{"sequence", name}, {"why", why}});
   return {{"fps", options_.fps ? nlohmann::json(*options_.fps) : nlohmann::json()},
+          {"finder", options_.finder.finder},
           {"hand", options_.hand},
           {"grasps", options_.grasps},
           {"left_out", std::move(left_out)}};
@@ -87,10 +88,11 @@ void add_sequence_options(CLI::App& verb, SequenceSetOptions& options) {
   CLI::Option* photoreal =
       verb.add_option("--photoreal", options.photoreal,
                       "A folder of photoreal frames, NAME/000000.jpg ...: only sequences that have "
-                      "them are run, on them, with the hand found by its colour");
+                      "them are run, on them, with the hand that is found");
   verb.add_flag("--true-masks", options.true_masks,
                 "Photoreal frames are shown with the hand's true mask instead")
       ->needs(photoreal);
+  add_finder_option(verb, options.finder)->needs(photoreal);
   CLI::Option* hand =
       verb.add_option("--hand", options.hand, "A rigged hand instead of the sequences' own");
   CLI::Option* grasps = verb.add_option(

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "finder_options.h"
 #include "graspdb/evaluation/evaluate.h"
 
 namespace graspdb::cli {
@@ -18,6 +19,7 @@ struct SequenceSetOptions {
   std::string sequences;     // a folder of *.seq.toml, or one of them
   std::string photoreal;     // a folder of frames; empty: they are rendered
   bool true_masks = false;   // of photoreal frames, instead of those found
+  FinderSettings finder;     // of hands in photoreal frames
   std::string hand, grasps;  // instead of the sequences' own, unless empty
   std::optional<double> fps;
 };
@@ -48,6 +50,7 @@ class SequenceSet {
   std::optional<SequenceRenderer> leave_out(const std::string& name, const std::string& why);
 
   SequenceSetOptions options_;
+  FinderOptions finder_;
   std::vector<SequenceSpec> specs_;
   std::vector<std::pair<std::string, std::string>> left_out_;  // name and why
 };

@@ -38,7 +38,7 @@ struct TrackArguments {
 
 ReaderOptions reader_options(const TrackArguments& options, const Database& database) {
   return {.tracker = options.tracker.options(database),
-          .skin = options.finder.skin,
+          .finder = options.finder.options(),
           .roi = options.finder.box(),
           .left_hand = options.handedness == "left"};
 }
@@ -234,7 +234,8 @@ void add_track(CLI::App& app) {
   add_tracker_options(*verb, options->tracker);
   verb->add_option("--focal", options->focal_px, "Focal length, pixels [0.87 of the longer side]")
       ->check(range(50.0, 20000.0));
-  add_finder_options(*verb, options->finder);
+  add_finder_option(*verb, options->finder);
+  add_roi_option(*verb, options->finder);
   verb->add_option("--handedness", options->handedness, "The hand that is seen")
       ->check(one_of({"right", "left"}));
   verb->add_option("--json", options->json,

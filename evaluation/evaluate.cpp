@@ -63,10 +63,12 @@ std::vector<Runner> runners(const Stage& stage, const Search& search) {
   return all;
 }
 
-// The hand is found once for all of them.
-void show(std::vector<Runner>& models, const GrayImage& gray, const Mask& mask,
-          const Intrinsics& camera) {
-  const Observation seen = models.front().reader().observe(gray, mask, camera);
+// The hand is cut out once for all of them.
+void show(std::vector<Runner>& models, const SequenceFrames& frames, std::size_t i,
+          const Mask& mask) {
+  const Observation seen =
+      frames.ends_at_wrist ? Observation{frames.gray[i], mask, frames.camera}
+                           : models.front().reader().observe(frames.gray[i], mask, frames.camera);
   for (Runner& model : models) model.step(seen);
 }
 
@@ -76,7 +78,7 @@ std::vector<EvalRun> run_all(const Stage& stage, const Search& search, double al
   std::vector<Runner> models = runners(stage, shared);
   for (std::size_t i = 0; i < stage.frames.hand.size(); ++i) {
     const Mask noisy = add_segmentation_noise(stage.frames.hand[i], alpha, stage.options.seed, i);
-    show(models, stage.frames.gray[i], noisy, stage.frames.camera);
+    show(models, stage.frames, i, noisy);
   }
   std::vector<EvalRun> runs;
   for (const Runner& model : models) runs.push_back(model.run(alpha));
@@ -95,8 +97,7 @@ std::vector<Recovery> recover(const Stage& stage, const Search& search) {
   const Mask nothing(stage.frames.camera.width, stage.frames.camera.height);
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_black = i >= black && i < seen_again;
-    show(models, stage.frames.gray[i], is_black ? nothing : stage.frames.hand[i],
-         stage.frames.camera);
+    show(models, stage.frames, i, is_black ? nothing : stage.frames.hand[i]);
     for (std::size_t m = 0; m < models.size(); ++m) {
       const FrameResult& frame = models[m].last();
       if (i < seen_again || recoveries[m].recovered) continue;

@@ -18,9 +18,10 @@ namespace {
 Mask cells_of(const FrameParts& parts, std::initializer_list<PartCells FrameParts::*> shown) {
   Mask cells(parts.hand.width(), parts.hand.height());
   for (const auto part : shown) {
-    std::ranges::transform(parts.*part, cells, cells.begin(), [](std::uint8_t like, std::uint8_t is) {
-      return like >= kLikeAnyOther ? std::uint8_t{255} : is;
-    });
+    std::ranges::transform(parts.*part, cells, cells.begin(),
+                           [](std::uint8_t like, std::uint8_t is) {
+                             return like >= kLikeAnyOther ? std::uint8_t{255} : is;
+                           });
   }
   cv::Mat image = as_mat(cells);
   cv::dilate(image, image, cv::Mat());

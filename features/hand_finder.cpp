@@ -10,6 +10,7 @@
 #include "finder_net.h"
 #include "frame_parts.h"
 #include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
 #include "graspdb/core/opencv/opencv_image.h"
 
 namespace graspdb {
@@ -55,8 +56,7 @@ PaddedPicture joined(const PaddedPicture& coarse, const PaddedPicture& fine, std
     std::uint8_t* to = picture.row(y);
     for (std::size_t x = 0; x < fine.width; ++x) {
       std::copy_n(far + x / 2 * coarse.channels, coarse.channels, to + x * channels);
-      std::copy_n(near + x * fine.channels, fine.channels,
-                  to + x * channels + coarse.channels);
+      std::copy_n(near + x * fine.channels, fine.channels, to + x * channels + coarse.channels);
     }
   }
   return picture;
@@ -176,6 +176,17 @@ std::optional<FoundHand> HandFinder::find(const ColorImage& frame,
   }
   return FoundHand{painted(parts->hand, *parts, frame.width(), frame.height()),
                    painted(parts->arm, *parts, frame.width(), frame.height())};
+}
+
+Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi,
+               const FinderOptions& options) {
+  if (!options.net) return find_hand(frame, roi, options.skin);
+  std::optional<FoundHand> found = options.net->find(frame, roi);
+  return found ? std::move(found->hand) : Mask(frame.width(), frame.height());
+}
+
+std::filesystem::path finder_file(const std::string& name) {
+  return data_directory() / "assets" / "finders" / (name + ".safetensors");
 }
 
 }  // namespace graspdb

@@ -8,7 +8,6 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/parallel.h"
-#include "graspdb/features/segmentation.h"
 #include "graspdb/renderer/image_io.h"
 
 namespace graspdb {
@@ -24,13 +23,22 @@ ColorImage read_frame(const fs::path& file, const Intrinsics& camera) {
                fmt::format("{} x {}", color.width(), color.height())});
 }
 
-// In place of the true mask.
-void find_hand_of_frame(SequenceFrames& frames, std::size_t i, const ColorImage& color) {
+struct Found {
+  Mask shown;  // to evaluate()
+  Mask hand;
+};
+
+Found found_by_color(const ColorImage& color, const SkinOptions& options) {
   const Mask nothing(color.width(), color.height());
-  const Mask region = find_region(color).value_or(nothing);
-  const Mask found = isolate_hand(region);
-  frames.segmentation_iou[i] = mask_iou(found, isolate_hand(frames.hand[i]));
-  frames.hand[i] = is_empty(found) ? nothing : region;
+  const Mask region = find_region(color, {}, options).value_or(nothing);
+  const Mask hand = isolate_hand(region);
+  return {is_empty(hand) ? nothing : region, hand};
+}
+
+Found found_in(const ColorImage& color, const FinderOptions& finder) {
+  if (!finder.net) return found_by_color(color, finder.skin);
+  const Mask hand = find_hand(color, {}, finder);
+  return {hand, hand};
 }
 
 }  // namespace
@@ -57,17 +65,21 @@ std::vector<SequenceSpec> with_photoreal_frames(std::vector<SequenceSpec> specs,
 }
 
 SequenceFrames photoreal_frames(const SequenceRenderer& sequence, const fs::path& folder,
-                                FrameKind kind) {
+                                FrameKind kind, const FinderOptions& finder) {
   GRASPDB_CHECK(kind != FrameKind::kRendered);
   SequenceFrames frames = render_frames(sequence);
   frames.kind = kind;
   const bool find = kind == FrameKind::kPhotoreal;
   if (find) frames.segmentation_iou.resize(frames.hand.size());
+  frames.ends_at_wrist = find && finder.net;
   parallel_for(frames.hand.size(), 0, [&](std::size_t i) {
     const fs::path file = folder / frames.name / fmt::format("{:06}.jpg", i);
     const ColorImage color = read_frame(file, frames.camera);
     frames.gray[i] = to_gray(color);
-    if (find) find_hand_of_frame(frames, i, color);
+    if (!find) return;
+    Found found = found_in(color, finder);
+    frames.segmentation_iou[i] = mask_iou(found.hand, isolate_hand(frames.hand[i]));
+    frames.hand[i] = std::move(found.shown);
   });
   return frames;
 }

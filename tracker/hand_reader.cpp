@@ -42,8 +42,8 @@ Estimate HandReader::read(const ColorImage& frame, const Mask& mask, const Intri
 
 Observation HandReader::observe(const ColorImage& frame, const Intrinsics& camera) const {
   const Stopwatch watch;
-  Mask hand = find_hand(frame, options_.roi, options_.skin);
-  const bool colorless = is_empty(hand) && !has_color(frame);
+  Mask hand = find_hand(frame, options_.roi, options_.finder);
+  const bool colorless = is_empty(hand) && !options_.finder.net && !has_color(frame);
   return {to_gray(frame), std::move(hand), camera, watch.ms(), colorless};
 }
 

@@ -45,7 +45,7 @@ TEST(WrongUse, ValuesOutOfRangeAreRefused) {
   expect_wrong_use("build --out x --hog edgy", "--hog");
   expect_wrong_use("build --out x --renderer blender", "--renderer");
   expect_wrong_use("samples --out x.safetensors --hog edgy", "--hog");
-  expect_wrong_use("track db in --skin pale", "--skin");
+  expect_wrong_use("track db in --finder pale", "--finder");
   expect_wrong_use("track db in --roi 1,2,0,4", "--roi");
   expect_wrong_use("track db in --roi 1,2,3,-4", "--roi");
   expect_wrong_use("track db in --roi 1,2,3,4000000000", "--roi");

@@ -16,10 +16,10 @@
 namespace graspdb {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::area;
 using testing::Cube;
 using testing::finder_file;
+using ::testing::HasSubstr;
 using testing::NetFile;
 using testing::NetLayer;
 using testing::plain_join;
@@ -42,7 +42,8 @@ Box whole(const ColorImage& frame) {
 
 // The last result of the net, number by number.
 Cube plain_scores(const NetFile& file, const ColorImage& frame) {
-  Cube cube{static_cast<std::size_t>(frame.width()), static_cast<std::size_t>(frame.height()), 3, {}};
+  Cube cube{
+      static_cast<std::size_t>(frame.width()), static_cast<std::size_t>(frame.height()), 3, {}};
   for (const Bgr& pixel : frame) cube.values.insert(cube.values.end(), pixel.begin(), pixel.end());
   std::vector<Cube> results;
   for (const NetLayer& layer : file.layers) {
@@ -87,9 +88,10 @@ TEST_P(EachInstructionSetFinds, WhatThePlainSumsSay) {
 
 TEST(HandFinder, AnyLayerMayBeReadAgain) {
   RandomStream random(8);
-  NetFile file = finder_file({random_layer(4, 3, 3, 1, 1, random), random_layer(4, 3, 4, 2, 1, random),
-                              random_layer(4, 3, 4, 2, 1, random), random_layer(4, 3, 8, 1, 1, random),
-                              random_layer(4, 3, 8, 1, 1, random)});
+  NetFile file =
+      finder_file({random_layer(4, 3, 3, 1, 1, random), random_layer(4, 3, 4, 2, 1, random),
+                   random_layer(4, 3, 4, 2, 1, random), random_layer(4, 3, 8, 1, 1, random),
+                   random_layer(4, 3, 8, 1, 1, random)});
   file.layers[3].beside = 1;
   file.layers[4].beside = 0;
   const ColorImage frame = random_frame(19, 14, 2);
@@ -129,8 +131,15 @@ TEST(HandFinder, NothingBeyondTheWindowMatters) {
 // Red is hand, green arm, blue object, and black the rest: a score is a colour.
 HandFinder color_finder() {
   constexpr std::int8_t kOne = 64;
-  NetLayer layer{4, 1, 3, 1, 0, std::vector<std::int8_t>(12), {64 * 100, 0, 0, 0},
-                 std::vector<std::int32_t>(4, 1 << 26), {}};
+  NetLayer layer{4,
+                 1,
+                 3,
+                 1,
+                 0,
+                 std::vector<std::int8_t>(12),
+                 {64 * 100, 0, 0, 0},
+                 std::vector<std::int32_t>(4, 1 << 26),
+                 {}};
   layer.weights[3 * 1 + 2] = layer.weights[3 * 2 + 1] = layer.weights[3 * 3 + 0] = kOne;
   return HandFinder::parse(finder_file({layer}).bytes(), "net");
 }
@@ -243,25 +252,25 @@ TEST_P(FaultyFinder, IsRefusedByName) {
 INSTANTIATE_TEST_SUITE_P(
     Each, FaultyFinder,
     ::testing::Values(
-        FinderFault{"AnotherFormat", [](NetFile& f) { f.metadata["format"] = "graspdb descriptor"; },
-              "format"},
+        FinderFault{"AnotherFormat",
+                    [](NetFile& f) { f.metadata["format"] = "graspdb descriptor"; }, "format"},
         FinderFault{"OtherParts", [](NetFile& f) { f.metadata["parts"] = R"(["hand", "rest"])"; },
-              "parts"},
+                    "parts"},
         FinderFault{"FewerOutputsAtTheEnd", [](NetFile& f) { f.layers.pop_back(); }, "4 outputs"},
         FinderFault{"AKernelThatShrinksPictures", [](NetFile& f) { f.layers[1].padding = 0; },
-              "layer1.weight"},
+                    "layer1.weight"},
         FinderFault{"ALayerBesideALaterOne", [](NetFile& f) { f.layers[2].beside = 2; }, "beside"},
         FinderFault{"ALayerBesideOneOfAnotherSize", [](NetFile& f) { f.layers[2].beside = 1; },
-              "beside"},
+                    "beside"},
         FinderFault{"AStrideOfThree", [](NetFile& f) { f.layers[0].stride = 3; }, "stride"},
         FinderFault{"SumsThatOverflow", [](NetFile& f) { f.layers[1].bias[3] = 2147483647; },
-              "layer1.bias"},
+                    "layer1.bias"},
         FinderFault{"ScoresWhoseDifferencesOverflow",
-              [](NetFile& f) {
-                f.layers[3].bias[3] = 2000000000;
-                f.layers[3].multiplier[3] = 2147483647;
-              },
-              "layer3.multiplier"}),
+                    [](NetFile& f) {
+                      f.layers[3].bias[3] = 2000000000;
+                      f.layers[3].multiplier[3] = 2147483647;
+                    },
+                    "layer3.multiplier"}),
     [](const auto& fault) { return fault.param.name; });
 
 }  // namespace

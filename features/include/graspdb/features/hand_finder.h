@@ -10,6 +10,7 @@
 #include <string>
 
 #include "graspdb/core/image.h"
+#include "graspdb/features/segmentation.h"
 
 namespace graspdb {
 
@@ -52,5 +53,19 @@ class HandFinder {
   explicit HandFinder(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+// How the hand is found in a frame.
+struct FinderOptions {
+  std::shared_ptr<const HandFinder> net;  // null: by the colour of skin
+  SkinOptions skin;
+};
+
+// The hand in a frame; all 0 when there is none.
+Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi,
+               const FinderOptions& options);
+
+// The file of a learned finder that has a name: assets/finders/NAME.safetensors in the data
+// directory.
+std::filesystem::path finder_file(const std::string& name);
 
 }  // namespace graspdb

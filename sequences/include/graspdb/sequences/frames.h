@@ -27,6 +27,7 @@ struct SequenceFrames {
   std::vector<FrameTruth> truth;
   std::vector<double> occlusion;
   FrameKind kind = FrameKind::kRendered;
+  bool ends_at_wrist = false;            // so do masks: there is no forearm to be cut off
   std::vector<double> segmentation_iou;  // of found masks, else empty; NaN where neither has a hand
 };
 SequenceFrames render_frames(const SequenceRenderer& sequence);

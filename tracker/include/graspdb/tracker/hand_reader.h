@@ -11,15 +11,15 @@
 #include "graspdb/core/image.h"
 #include "graspdb/database/database.h"
 #include "graspdb/database/search.h"
-#include "graspdb/features/segmentation.h"
+#include "graspdb/features/hand_finder.h"
 #include "graspdb/tracker/tracker.h"
 
 namespace graspdb {
 
 struct ReaderOptions {
   std::optional<TrackerOptions> tracker;  // absent: kde, as tuned for the database's rows
-  SkinOptions skin;
-  std::optional<Box> roi;  // pixels; the hand is the largest region that touches it
+  FinderOptions finder;
+  std::optional<Box> roi;  // pixels; the hand is the largest of those that reach into it
   bool left_hand = false;  // frames are mirrored on the way in, answers on the way out
 };
 
