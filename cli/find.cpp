@@ -12,7 +12,7 @@
 #include "graspdb/core/error.h"
 #include "graspdb/core/folder.h"
 #include "graspdb/renderer/image_io.h"
-#include "graspdb/sequences/photoreal.h"
+#include "graspdb/sequences/finding.h"
 #include "graspdb/video/frame_source.h"
 #include "verbs.h"
 

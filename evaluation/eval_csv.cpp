@@ -104,7 +104,10 @@ void run_line(Csv& csv, const SequenceEvaluation& sequence, const EvalRun& run) 
   csv.cell(run.valid);
   csv.cell(run.smallest_box_px);
   csv.cell(run.median_distance);
-  csv.cell(sequence.segmentation_iou);
+  csv.cell(sequence.found.iou);
+  csv.cell(sequence.found.missed);
+  csv.cell(sequence.found.imagined);
+  csv.cell(sequence.found.wrist_mm);
   csv.cell(sequence.grasping_frames);
   csv.cell(sequence.beyond_5_deg);
   add_recovery(csv, sequence, run.temporal);
@@ -140,21 +143,15 @@ std::string frames_csv(const EvalReport& report) {
 
 std::string runs_csv(const EvalReport& report) {
   Csv csv;
-  std::vector<std::string> names = {"sequence",
-                                    "kind",
-                                    "temporal",
-                                    "alpha",
-                                    "grasp_type",
-                                    "frames",
-                                    "valid",
-                                    "smallest_box_px",
-                                    "median_distance",
-                                    "segmentation_iou",
-                                    "grasping_frames",
-                                    "beyond_5_deg",
-                                    "recovery_frames",
-                                    "recovered",
-                                    "rotation_deg_median",
+  std::vector<std::string> names = {"sequence",        "kind",
+                                    "temporal",        "alpha",
+                                    "grasp_type",      "frames",
+                                    "valid",           "smallest_box_px",
+                                    "median_distance", "segmentation_iou",
+                                    "missed_hands",    "imagined_hands",
+                                    "wrist_cut_mm",    "grasping_frames",
+                                    "beyond_5_deg",    "recovery_frames",
+                                    "recovered",       "rotation_deg_median",
                                     "rotation_deg_p90"};
   for (const std::string metric : {"pose_error", "mpjpe_mm"}) {
     for (const char* part : {"retrieval", "choice", "placement", "unanswered", "view", "pose"})

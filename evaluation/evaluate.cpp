@@ -128,6 +128,18 @@ void run_everything(const Stage& stage, const Search& search, const Progress& pr
   });
 }
 
+FindingMeans means_of(const std::vector<Finding>& found) {
+  std::vector<double> iou, missed, imagined, wrist_mm;
+  for (const Finding& finding : found) {
+    const bool is_there = finding.missed || (!std::isnan(finding.iou) && !finding.imagined);
+    (is_there ? missed : imagined).push_back(is_there ? finding.missed : finding.imagined);
+    iou.push_back(finding.iou);
+    wrist_mm.push_back(finding.wrist_mm);
+  }
+  return {mean_of_numbers(iou), mean_of_numbers(missed), mean_of_numbers(imagined),
+          mean_of_numbers(wrist_mm)};
+}
+
 }  // namespace
 
 SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, const Search& search,
@@ -140,7 +152,7 @@ SequenceEvaluation evaluate(const Database& database, const PoseGrid& grid, cons
                             .grasp_type = frames.grasp_type,
                             .truth = frames.truth,
                             .occlusion = frames.occlusion,
-                            .segmentation_iou = mean_of_numbers(frames.segmentation_iou)};
+                            .found = means_of(frames.found)};
   std::vector<Target> truth;
   for (const FrameTruth& frame : frames.truth)
     truth.push_back(target_of(frame, frames.camera, frames.grasp_type));

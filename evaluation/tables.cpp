@@ -160,8 +160,11 @@ std::string sequence_table(const SequenceEvaluation& sequence) {
          sequence.name, kind_name(sequence.kind), first.smallest_box_px, 100 * first.valid,
          first.alpha);
   if (sequence.kind == FrameKind::kPhotoreal) {
-    append(out, "found hand against true hand, mean intersection over union: {}\n",
-           number(sequence.segmentation_iou, 3));
+    const FindingMeans& found = sequence.found;
+    append(out,
+           "found hand against true hand: intersection over union {}, wrist off by {} mm, {} % "
+           "missed\n",
+           number(found.iou, 3), number(found.wrist_mm, 0), number(100 * found.missed, 0));
   }
   std::vector<std::pair<std::string, Summary>> lines;
   for (const EvalRun& run : sequence.runs)

@@ -42,8 +42,7 @@ bool is_in(const Box& box, int x, int y) {
 }
 
 struct HandCells {
-  int count = 0;
-  bool in_roi = false;
+  int in_roi = 0, all = 0;
 };
 
 HandCells count_hand(const FrameParts& parts, const Mask& region, const Box& roi) {
@@ -51,8 +50,8 @@ HandCells count_hand(const FrameParts& parts, const Mask& region, const Box& roi
   for (int y = 0; y < region.height(); ++y) {
     for (int x = 0; x < region.width(); ++x) {
       if (region.at(x, y) == 0 || parts.hand.at(x, y) < kLikeAnyOther) continue;
-      ++cells.count;
-      cells.in_roi = cells.in_roi || is_in(roi, x, y);
+      ++cells.all;
+      cells.in_roi += is_in(roi, x, y);
     }
   }
   return cells;
@@ -78,12 +77,12 @@ std::optional<FrameParts> largest_hand(const FrameParts& parts, int min_cells,
   const Box wanted = cells_in(roi.value_or(parts.window), parts);
   const Regions regions(held);
   std::optional<Mask> best;
-  int most = std::max(min_cells, 1) - 1;
+  int most = 0;
   for (std::size_t i = 0; i < regions.all().size(); ++i) {
     Mask region = painted_region(regions, i, held);
     const HandCells cells = count_hand(parts, region, wanted);
-    if (!cells.in_roi || cells.count <= most) continue;
-    most = cells.count;
+    if (cells.all < min_cells || cells.in_roi <= most) continue;
+    most = cells.in_roi;
     best = std::move(region);
   }
   if (!best) return std::nullopt;

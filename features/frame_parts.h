@@ -10,9 +10,8 @@ namespace graspdb {
 
 constexpr std::uint8_t kLikeAnyOther = 128;  // in PartCells: the part as much as another
 
-// The hand of which most is seen, of those that reach into `roi`: what a held object cuts off
-// belongs to it. Cells of all parts that are not connected with it are 0 afterwards. None when no
-// hand has so many cells.
+// The hand of which most is seen within `roi`: what a held object cuts off belongs to it. Cells of
+// all parts that are not connected with it are 0 afterwards. None when no hand has so many cells.
 std::optional<FrameParts> largest_hand(const FrameParts& parts, int min_cells,
                                        const std::optional<Box>& roi);
 

@@ -114,6 +114,19 @@ Box around(const Box& hand, const ColorImage& frame) {
           std::min(hand.y + hand.height + margin, frame.height()) - top};
 }
 
+// Or comes so near to it that some of it may lie beyond.
+bool reaches_edge(const Box& box, const Box& window) {
+  const int x = window.width / 16, y = window.height / 16;
+  return box.x < window.x + x || box.y < window.y + y ||
+         box.x + box.width > window.x + window.width - x ||
+         box.y + box.height > window.y + window.height - y;
+}
+
+FoundHand found_in(const FrameParts& parts, const ColorImage& frame) {
+  return {painted(parts.hand, parts, frame.width(), frame.height()),
+          painted(parts.arm, parts, frame.width(), frame.height()), hand_box(parts)};
+}
+
 constexpr int kLeastCells = 12;  // fewer show no hand
 
 }  // namespace
@@ -170,12 +183,21 @@ std::optional<FoundHand> HandFinder::find(const ColorImage& frame,
   std::optional<FrameParts> parts = largest_hand(look(frame, whole), kLeastCells, roi);
   if (!parts) return std::nullopt;
   const Box near = around(hand_box(*parts), frame);
-  if (shrink_factor(near) < shrink_factor(whole)) {
+  if (shrink_factor(near) < shrink_factor(whole))
     parts = largest_hand(look(frame, near), kLeastCells, roi);
-    if (!parts) return std::nullopt;
-  }
-  return FoundHand{painted(parts->hand, *parts, frame.width(), frame.height()),
-                   painted(parts->arm, *parts, frame.width(), frame.height())};
+  if (!parts) return std::nullopt;
+  return found_in(*parts, frame);
+}
+
+std::optional<FoundHand> HandFinder::find_again(const ColorImage& frame, const Box& last) const {
+  const Box window = around(last, frame);
+  std::optional<FrameParts> parts = largest_hand(look(frame, window), kLeastCells, last);
+  if (!parts) return std::nullopt;
+  const Box now = hand_box(*parts), next = around(now, frame);
+  if (reaches_edge(now, window) && next != window)
+    parts = largest_hand(look(frame, next), kLeastCells, now);
+  if (!parts) return std::nullopt;
+  return found_in(*parts, frame);
 }
 
 Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi,

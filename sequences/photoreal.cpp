@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/parallel.h"
+#include "graspdb/features/hand_follower.h"
 #include "graspdb/renderer/image_io.h"
+#include "graspdb/sequences/meshes.h"
 
 namespace graspdb {
 namespace {
@@ -23,22 +24,48 @@ ColorImage read_frame(const fs::path& file, const Intrinsics& camera) {
                fmt::format("{} x {}", color.width(), color.height())});
 }
 
-struct Found {
-  Mask shown;  // to evaluate()
-  Mask hand;
-};
-
-Found found_by_color(const ColorImage& color, const SkinOptions& options) {
-  const Mask nothing(color.width(), color.height());
-  const Mask region = find_region(color, {}, options).value_or(nothing);
-  const Mask hand = isolate_hand(region);
-  return {is_empty(hand) ? nothing : region, hand};
+// The hand and 15 mm of its arm.
+Mask true_hand(const MeshFrames& meshes, std::size_t frame) {
+  const Image<std::uint8_t> labels = frame_labels(meshes, frame);
+  Mask hand(labels.width(), labels.height());
+  std::ranges::transform(labels, hand.begin(), [](std::uint8_t label) {
+    return static_cast<std::uint8_t>(label == kLabelHand ? 255 : 0);
+  });
+  return hand;
 }
 
-Found found_in(const ColorImage& color, const FinderOptions& finder) {
-  if (!finder.net) return found_by_color(color, finder.skin);
-  const Mask hand = find_hand(color, {}, finder);
-  return {hand, hand};
+// By its colour: frames.hand becomes the region with its forearm. The hands themselves.
+std::vector<Mask> find_by_color(SequenceFrames& frames, const std::vector<ColorImage>& colors,
+                                const SkinOptions& options) {
+  std::vector<Mask> hands(colors.size());
+  parallel_for(colors.size(), 0, [&](std::size_t i) {
+    const Mask nothing(colors[i].width(), colors[i].height());
+    const Mask region = find_region(colors[i], {}, options).value_or(nothing);
+    hands[i] = isolate_hand(region);
+    frames.hand[i] = is_empty(hands[i]) ? nothing : region;
+  });
+  return hands;
+}
+
+std::vector<Mask> follow(SequenceFrames& frames, const std::vector<ColorImage>& colors,
+                         const FinderOptions& finder) {
+  HandFollower follower(finder);
+  for (std::size_t i = 0; i < colors.size(); ++i) frames.hand[i] = follower.next(colors[i]).hand;
+  frames.ends_at_wrist = true;
+  return frames.hand;
+}
+
+// In place of the true masks.
+void find_hands(SequenceFrames& frames, const std::vector<ColorImage>& colors,
+                const FinderOptions& finder, const SequenceRenderer& sequence) {
+  const std::vector<Mask> hands =
+      finder.net ? follow(frames, colors, finder) : find_by_color(frames, colors, finder.skin);
+  const MeshFrames meshes = mesh_frames(sequence);
+  frames.found.resize(hands.size());
+  parallel_for(hands.size(), 0, [&](std::size_t i) {
+    frames.found[i] = compare_masks(hands[i], true_hand(meshes, i), frames.truth[i],
+                                    sequence.hand().skeleton, frames.camera);
+  });
 }
 
 }  // namespace
@@ -69,29 +96,14 @@ SequenceFrames photoreal_frames(const SequenceRenderer& sequence, const fs::path
   GRASPDB_CHECK(kind != FrameKind::kRendered);
   SequenceFrames frames = render_frames(sequence);
   frames.kind = kind;
-  const bool find = kind == FrameKind::kPhotoreal;
-  if (find) frames.segmentation_iou.resize(frames.hand.size());
-  frames.ends_at_wrist = find && finder.net;
-  parallel_for(frames.hand.size(), 0, [&](std::size_t i) {
+  std::vector<ColorImage> colors(frames.hand.size());
+  parallel_for(colors.size(), 0, [&](std::size_t i) {
     const fs::path file = folder / frames.name / fmt::format("{:06}.jpg", i);
-    const ColorImage color = read_frame(file, frames.camera);
-    frames.gray[i] = to_gray(color);
-    if (!find) return;
-    Found found = found_in(color, finder);
-    frames.segmentation_iou[i] = mask_iou(found.hand, isolate_hand(frames.hand[i]));
-    frames.hand[i] = std::move(found.shown);
+    colors[i] = read_frame(file, frames.camera);
+    frames.gray[i] = to_gray(colors[i]);
   });
+  if (kind == FrameKind::kPhotoreal) find_hands(frames, colors, finder, sequence);
   return frames;
-}
-
-double mask_iou(const Mask& a, const Mask& b) {
-  GRASPDB_CHECK(a.width() == b.width() && a.height() == b.height());
-  std::size_t both = 0, either = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    both += a.data()[i] != 0 && b.data()[i] != 0;
-    either += a.data()[i] != 0 || b.data()[i] != 0;
-  }
-  return either > 0 ? static_cast<double>(both) / static_cast<double>(either) : std::nan("");
 }
 
 }  // namespace graspdb

@@ -19,6 +19,7 @@ TrackerOptions tracker_options(const Database& database, const ReaderOptions& op
 HandReader::HandReader(const Database& database, const ReaderOptions& options,
                        const std::string& search)
     : options_(options),
+      follower_(options.finder, options.roi),
       own_search_(open_search(database, search)),
       search_(*own_search_),
       tracker_(database, search_, tracker_options(database, options)) {}
@@ -26,6 +27,7 @@ HandReader::HandReader(const Database& database, const ReaderOptions& options,
 HandReader::HandReader(const Database& database, const Search& search, const ReaderOptions& options,
                        std::shared_ptr<const Describer> describer)
     : options_(options),
+      follower_(options.finder, options.roi),
       search_(search),
       tracker_(database, search_, tracker_options(database, options), std::move(describer)) {}
 
@@ -40,9 +42,9 @@ Estimate HandReader::read(const ColorImage& frame, const Mask& mask, const Intri
   return read(seen);
 }
 
-Observation HandReader::observe(const ColorImage& frame, const Intrinsics& camera) const {
+Observation HandReader::observe(const ColorImage& frame, const Intrinsics& camera) {
   const Stopwatch watch;
-  Mask hand = find_hand(frame, options_.roi, options_.finder);
+  Mask hand = follower_.next(frame).hand;
   const bool colorless = is_empty(hand) && !options_.finder.net && !has_color(frame);
   return {to_gray(frame), std::move(hand), camera, watch.ms(), colorless};
 }

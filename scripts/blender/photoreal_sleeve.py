@@ -71,11 +71,14 @@ class Sleeve:
 
 
 def forearm_section(meshes):
-    """Centre and half widths, x and z of the forearm's frame, of its last visible centimetre."""
+    """Centre and half widths, x and z of the forearm's frame, of its last visible centimetre, or of the ring of
+    vertices before that where it has none."""
     pose = meshes.bones["forearm"]
     local = (meshes.hand_bind - pose[:, 3]) @ pose[:, :3]
     beyond = -local[:, 1] - meshes.visible_forearm
-    rim = local[(beyond < -1e-4) & (beyond > -0.012)][:, [0, 2]]
+    visible = beyond < -1e-4
+    first = min(-0.012, beyond[visible].max() - 0.001)
+    rim = local[visible & (beyond > first)][:, [0, 2]]
     low, high = rim.min(axis=0), rim.max(axis=0)
     return (low + high) / 2, (high - low) / 2
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "features/color_finder.h"
 #include "features/net_bytes.h"
 #include "features/pictures.h"
 #include "features/plain_layer.h"
@@ -17,11 +18,16 @@ namespace graspdb {
 namespace {
 
 using testing::area;
+using testing::color_finder;
 using testing::Cube;
 using testing::finder_file;
 using ::testing::HasSubstr;
+using testing::kBlue;
+using testing::kGreen;
+using testing::kRed;
 using testing::NetFile;
 using testing::NetLayer;
+using testing::paint;
 using testing::plain_join;
 using testing::plain_layer;
 using testing::random_layer;
@@ -126,29 +132,6 @@ TEST(HandFinder, NothingBeyondTheWindowMatters) {
     std::copy_n(frame.row(window.y + y) + window.x, window.width, part.row(y));
   }
   EXPECT_EQ(finder.look(frame, window).hand, finder.look(part, whole(part)).hand);
-}
-
-// Red is hand, green arm, blue object, and black the rest: a score is a colour.
-HandFinder color_finder() {
-  constexpr std::int8_t kOne = 64;
-  NetLayer layer{4,
-                 1,
-                 3,
-                 1,
-                 0,
-                 std::vector<std::int8_t>(12),
-                 {64 * 100, 0, 0, 0},
-                 std::vector<std::int32_t>(4, 1 << 26),
-                 {}};
-  layer.weights[3 * 1 + 2] = layer.weights[3 * 2 + 1] = layer.weights[3 * 3 + 0] = kOne;
-  return HandFinder::parse(finder_file({layer}).bytes(), "net");
-}
-
-constexpr Bgr kRed = {0, 0, 200}, kGreen = {0, 200, 0}, kBlue = {200, 0, 0};
-
-void paint(ColorImage& frame, const Box& box, const Bgr& color) {
-  for (int y = box.y; y < box.y + box.height; ++y)
-    std::fill_n(frame.row(y) + box.x, box.width, color);
 }
 
 bool is_hand(const FoundHand& found, const Box& box) {

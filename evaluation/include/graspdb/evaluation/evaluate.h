@@ -61,15 +61,21 @@ struct Recovery {
   bool recovered = false;
 };
 
+// Over the frames of a sequence; NaN when masks are true ones. docs/evaluation.md
+struct FindingMeans {
+  double iou = 0;       // of the found hand with the true one
+  double missed = 0;    // share of the frames with a hand
+  double imagined = 0;  // share of the frames without one
+  double wrist_mm = 0;
+};
+
 struct SequenceEvaluation {
   std::string name;
   FrameKind kind = FrameKind::kRendered;
   std::optional<int> grasp_type;
   std::vector<FrameTruth> truth;  // a frame each, as the share of the hand that is hidden
   std::vector<double> occlusion;
-  // Mean over frames of the found hand's intersection over union with the true one; NaN when the
-  // mask is the true one.
-  double segmentation_iou = 0;
+  FindingMeans found;
   Baselines baselines;
   // Frames whose hand is closed at least half, and those of them whose fingers are 5 degrees or
   // more from the nearest pose of the database.

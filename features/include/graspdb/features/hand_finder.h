@@ -26,6 +26,7 @@ struct FrameParts {
 struct FoundHand {
   Mask hand;  // up to the wrist; pieces on all sides of a held object
   Mask arm;   // what belongs to it of forearm and sleeve
+  Box box;    // around the hand
 };
 
 // Immutable; thread-safe.
@@ -44,9 +45,12 @@ class HandFinder {
   // What the pixels in a window show, which lies within the frame and is not empty; it is looked at
   // with some 20,000 pixels. The same bytes on every processor.
   FrameParts look(const ColorImage& frame, const Box& window) const;
-  // The hand of which most is seen, of those that reach into `roi`, when given; none when no hand
-  // is seen. Two looks at most: at the frame, and at the hand alone when it shows more of it.
+  // The hand of which most is seen within `roi`, when given, else in the frame; none when no hand
+  // is seen. Two looks at most: at the frame, and at the hand alone when that shows more of it.
   std::optional<FoundHand> find(const ColorImage& frame, const std::optional<Box>& roi = {}) const;
+  // The hand of which most is seen where one was in the frame before: looks around that box alone,
+  // and once more when the hand has moved on.
+  std::optional<FoundHand> find_again(const ColorImage& frame, const Box& last) const;
 
  private:
   struct State;

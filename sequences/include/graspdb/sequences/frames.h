@@ -8,6 +8,7 @@
 
 #include "graspdb/core/camera.h"
 #include "graspdb/core/image.h"
+#include "graspdb/sequences/finding.h"
 #include "graspdb/sequences/sequence.h"
 
 namespace graspdb {
@@ -27,8 +28,8 @@ struct SequenceFrames {
   std::vector<FrameTruth> truth;
   std::vector<double> occlusion;
   FrameKind kind = FrameKind::kRendered;
-  bool ends_at_wrist = false;            // so do masks: there is no forearm to be cut off
-  std::vector<double> segmentation_iou;  // of found masks, else empty; NaN where neither has a hand
+  bool ends_at_wrist = false;  // so do masks: there is no forearm to be cut off
+  std::vector<Finding> found;  // how well; none for true masks
 };
 SequenceFrames render_frames(const SequenceRenderer& sequence);
 

@@ -28,7 +28,4 @@ SequenceFrames photoreal_frames(const SequenceRenderer& sequence,
                                 FrameKind kind = FrameKind::kPhotoreal,
                                 const FinderOptions& finder = {});
 
-// Intersection over union of two masks of one size; NaN when both are empty.
-double mask_iou(const Mask& a, const Mask& b);
-
 }  // namespace graspdb

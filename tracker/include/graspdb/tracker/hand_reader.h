@@ -11,7 +11,7 @@
 #include "graspdb/core/image.h"
 #include "graspdb/database/database.h"
 #include "graspdb/database/search.h"
-#include "graspdb/features/hand_finder.h"
+#include "graspdb/features/hand_follower.h"
 #include "graspdb/tracker/tracker.h"
 
 namespace graspdb {
@@ -41,7 +41,7 @@ class HandReader {
   Estimate read(const ColorImage& frame, const Mask& mask, const Intrinsics& camera);
 
   // The two halves of read(), for several readers of the same frame.
-  Observation observe(const ColorImage& frame, const Intrinsics& camera) const;
+  Observation observe(const ColorImage& frame, const Intrinsics& camera);
   Observation observe(GrayImage gray, const Mask& mask, const Intrinsics& camera) const;
   Estimate read(const Observation& seen);
 
@@ -49,6 +49,7 @@ class HandReader {
 
  private:
   ReaderOptions options_;
+  HandFollower follower_;
   std::unique_ptr<const Search> own_search_;
   const Search& search_;
   Tracker tracker_;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "graspdb/features/hand_follower.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace graspdb {
+namespace {
+
+constexpr int kFollowed = 20;    // frames until the whole frame is looked at again
+constexpr double kMuchMore = 2;  // times the pixels: another hand is followed from now on
+
+double pixels(const FoundHand& found) {
+  return static_cast<double>(std::count(found.hand.begin(), found.hand.end(), 255));
+}
+
+}  // namespace
+
+HandFollower::HandFollower(FinderOptions options, std::optional<Box> roi)
+    : options_(std::move(options)), roi_(roi) {}
+
+void HandFollower::forget() {
+  last_.reset();
+}
+
+std::optional<FoundHand> HandFollower::follow(const ColorImage& frame) {
+  std::optional<FoundHand> again;
+  if (last_) again = options_.net->find_again(frame, *last_);
+  if (again && ++followed_ < kFollowed) return again;
+  followed_ = 0;
+  std::optional<FoundHand> any = options_.net->find(frame, roi_);
+  const bool keeps = again && (!any || pixels(*any) < kMuchMore * pixels(*again));
+  return keeps ? again : any;
+}
+
+FoundHand HandFollower::next(const ColorImage& frame) {
+  const Mask nothing(frame.width(), frame.height());
+  if (!options_.net) return {find_hand(frame, roi_, options_.skin), nothing, {}};
+  std::optional<FoundHand> found = follow(frame);
+  last_.reset();
+  if (!found) return {nothing, nothing, {}};
+  last_ = found->box;
+  return std::move(*found);
+}
+
+}  // namespace graspdb
