@@ -111,7 +111,7 @@ class FindRun {
 
  private:
   void one_frame(const InputFrame& frame) {
-    const Mask hand = find_hand(frame.color, options_.finder.box(), finder_);
+    const Mask hand = find_hand(frame.color, options_.finder.box(), finder_).hand;
     const std::string name = mask_name(frame);
     folder_.write(name, hand);
     ++frames_;

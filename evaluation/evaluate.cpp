@@ -63,12 +63,18 @@ std::vector<Runner> runners(const Stage& stage, const Search& search) {
   return all;
 }
 
+Observation observe(const HandReader& reader, const SequenceFrames& frames, std::size_t i,
+                    const Mask& mask) {
+  if (frames.arm.empty()) return reader.observe(frames.gray[i], mask, frames.camera);
+  Observation seen{frames.gray[i], mask, frames.camera};
+  seen.towards_arm = arm_direction({mask, frames.arm[i]});
+  return seen;
+}
+
 // The hand is cut out once for all of them.
 void show(std::vector<Runner>& models, const SequenceFrames& frames, std::size_t i,
           const Mask& mask) {
-  const Observation seen =
-      frames.ends_at_wrist ? Observation{frames.gray[i], mask, frames.camera}
-                           : models.front().reader().observe(frames.gray[i], mask, frames.camera);
+  const Observation seen = observe(models.front().reader(), frames, i, mask);
   for (Runner& model : models) model.step(seen);
 }
 

@@ -124,7 +124,7 @@ bool reaches_edge(const Box& box, const Box& window) {
 
 FoundHand found_in(const FrameParts& parts, const ColorImage& frame) {
   return {painted(parts.hand, parts, frame.width(), frame.height()),
-          painted(parts.arm, parts, frame.width(), frame.height()), hand_box(parts)};
+          painted(parts.arm, parts, frame.width(), frame.height())};
 }
 
 constexpr int kLeastCells = 12;  // fewer show no hand
@@ -200,11 +200,12 @@ std::optional<FoundHand> HandFinder::find_again(const ColorImage& frame, const B
   return found_in(*parts, frame);
 }
 
-Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi,
-               const FinderOptions& options) {
-  if (!options.net) return find_hand(frame, roi, options.skin);
-  std::optional<FoundHand> found = options.net->find(frame, roi);
-  return found ? std::move(found->hand) : Mask(frame.width(), frame.height());
+FoundHand find_hand(const ColorImage& frame, const std::optional<Box>& roi,
+                    const FinderOptions& options) {
+  const Mask nothing(frame.width(), frame.height());
+  if (options.net) return options.net->find(frame, roi).value_or(FoundHand{nothing, nothing});
+  const std::optional<Mask> region = find_region(frame, roi, options.skin);
+  return region ? split_hand(*region) : FoundHand{nothing, nothing};
 }
 
 std::filesystem::path finder_file(const std::string& name) {

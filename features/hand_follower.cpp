@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "graspdb/features/hog.h"
+
 namespace graspdb {
 namespace {
 
@@ -34,13 +36,11 @@ std::optional<FoundHand> HandFollower::follow(const ColorImage& frame) {
 }
 
 FoundHand HandFollower::next(const ColorImage& frame) {
+  if (!options_.net) return find_hand(frame, roi_, options_);
   const Mask nothing(frame.width(), frame.height());
-  if (!options_.net) return {find_hand(frame, roi_, options_.skin), nothing, {}};
-  std::optional<FoundHand> found = follow(frame);
-  last_.reset();
-  if (!found) return {nothing, nothing, {}};
-  last_ = found->box;
-  return std::move(*found);
+  FoundHand found = follow(frame).value_or(FoundHand{nothing, nothing});
+  last_ = tight_box(found.hand);
+  return found;
 }
 
 }  // namespace graspdb

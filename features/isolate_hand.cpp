@@ -87,7 +87,35 @@ Box shrink(const Box& box, int factor) {
   return {x, y, (right + factor - 1) / factor - x, (bottom + factor - 1) / factor - y};
 }
 
+// Of the mask's pixels, and how many there are.
+struct Middle {
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  double pixels = 0;
+};
+
+Middle middle_of(const Mask& mask) {
+  Middle middle;
+  for (int y = 0; y < mask.height(); ++y) {
+    for (int x = 0; x < mask.width(); ++x) {
+      if (mask.at(x, y) == 0) continue;
+      middle.place += Eigen::Vector2d(x, y);
+      ++middle.pixels;
+    }
+  }
+  middle.place /= std::max(middle.pixels, 1.0);
+  return middle;
+}
+
+constexpr double kLeastArm = 0.03;  // of the hand's pixels
+
 }  // namespace
+
+std::optional<Eigen::Vector2d> arm_direction(const FoundHand& found) {
+  const Middle hand = middle_of(found.hand), arm = middle_of(found.arm);
+  if (hand.pixels == 0 || arm.pixels < kLeastArm * hand.pixels) return std::nullopt;
+  const Eigen::Vector2d way = arm.place - hand.place;
+  return way.norm() > 0 ? std::optional<Eigen::Vector2d>(way.normalized()) : std::nullopt;
+}
 
 Mask resized(const Mask& mask, int width, int height) {
   Mask result(width, height);
@@ -97,18 +125,27 @@ Mask resized(const Mask& mask, int width, int height) {
   return result;
 }
 
-Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOptions& options) {
-  Mask smoothed = skin, hand(skin.width(), skin.height());
+FoundHand split_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOptions& options) {
+  const Mask nothing(skin.width(), skin.height());
+  Mask smoothed = skin, hand = nothing;
   smooth(smoothed);
   const Regions regions(smoothed);
   const auto largest = regions.largest(options.min_area_px, roi);
-  if (!largest) return hand;
+  if (!largest) return {nothing, nothing};
   for (std::size_t i = 0; i < regions.all().size(); ++i) {
     if (i == *largest || is_piece(regions.all()[i], regions.all()[*largest], hand))
       regions.paint(i, hand);
   }
-  if (!has_shape_of_hand(hand)) return {skin.width(), skin.height()};
-  return cut_forearm(hand);
+  if (!has_shape_of_hand(hand)) return {nothing, nothing};
+  FoundHand found{cut_forearm(hand), std::move(hand)};
+  std::ranges::transform(
+      found.arm, found.hand, found.arm.begin(),
+      [](std::uint8_t all, std::uint8_t is_hand) { return is_hand != 0 ? std::uint8_t{0} : all; });
+  return found;
+}
+
+Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOptions& options) {
+  return split_hand(skin, roi, options).hand;
 }
 
 std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi,

@@ -23,12 +23,16 @@ Eigen::Matrix3d joint_rotation(double flexion, double abduction = 0, double axia
   return axis_rotation(0, -flexion) * axis_rotation(2, abduction) * axis_rotation(1, -axial);
 }
 
+// The wrist's angles move the hand against the forearm; here the palm is the one that stays.
+Eigen::Matrix3d forearm_rotation(const JointAngles& angles) {
+  return joint_rotation(angles[kWristFlexion], angles[kWristDeviation]).transpose();
+}
+
 // The rotation of each bone against its parent's zero frame.
 PerBone<Eigen::Matrix3d> joint_rotations(const JointAngles& angles) {
   PerBone<Eigen::Matrix3d> rotations;
   rotations[kPalm].setIdentity();
-  // The wrist's angles move the hand against the forearm; here the palm is the one that stays.
-  rotations[kForearm] = joint_rotation(angles[kWristFlexion], angles[kWristDeviation]).transpose();
+  rotations[kForearm] = forearm_rotation(angles);
   rotations[kThumbMetacarpal] =
       joint_rotation(angles[kThumbCmcFlexion], angles[kThumbCmcAbduction], angles[kThumbCmcAxial]);
   rotations[kThumbProximal] = joint_rotation(angles[kThumbMcpFlexion], angles[kThumbMcpAbduction]);
@@ -74,6 +78,12 @@ PerBone<RigidTransform> hand_from_bones(const Skeleton& skeleton, const JointAng
                            RigidTransform{rotations[bone], Eigen::Vector3d::Zero()};
   }
   return hand_from_bone;
+}
+
+Eigen::Vector3d forearm_point(const Skeleton& skeleton, const JointAngles& angles,
+                              double beyond_wrist) {
+  const Eigen::Vector3d in_forearm(0, -beyond_wrist, 0);
+  return skeleton.hand_from_bone_at_zero[kForearm] * (forearm_rotation(angles) * in_forearm);
 }
 
 Keypoints keypoints_in_hand(const Skeleton& skeleton,

@@ -50,8 +50,11 @@ std::vector<Mask> find_by_color(SequenceFrames& frames, const std::vector<ColorI
 std::vector<Mask> follow(SequenceFrames& frames, const std::vector<ColorImage>& colors,
                          const FinderOptions& finder) {
   HandFollower follower(finder);
-  for (std::size_t i = 0; i < colors.size(); ++i) frames.hand[i] = follower.next(colors[i]).hand;
-  frames.ends_at_wrist = true;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    FoundHand found = follower.next(colors[i]);
+    frames.hand[i] = std::move(found.hand);
+    frames.arm.push_back(std::move(found.arm));
+  }
   return frames.hand;
 }
 

@@ -44,16 +44,18 @@ Estimate HandReader::read(const ColorImage& frame, const Mask& mask, const Intri
 
 Observation HandReader::observe(const ColorImage& frame, const Intrinsics& camera) {
   const Stopwatch watch;
-  Mask hand = follower_.next(frame).hand;
-  const bool colorless = is_empty(hand) && !options_.finder.net && !has_color(frame);
-  return {to_gray(frame), std::move(hand), camera, watch.ms(), colorless};
+  FoundHand found = follower_.next(frame);
+  const bool colorless = is_empty(found.hand) && !options_.finder.net && !has_color(frame);
+  const auto towards_arm = arm_direction(found);
+  return {to_gray(frame), std::move(found.hand), camera, watch.ms(), colorless, towards_arm};
 }
 
 Observation HandReader::observe(GrayImage gray, const Mask& mask, const Intrinsics& camera) const {
   GRASPDB_CHECK(mask.width() == gray.width() && mask.height() == gray.height());
   const Stopwatch watch;
-  Mask hand = isolate_hand(mask, options_.roi);
-  return {std::move(gray), std::move(hand), camera, watch.ms()};
+  FoundHand found = split_hand(mask, options_.roi);
+  const auto towards_arm = arm_direction(found);
+  return {std::move(gray), std::move(found.hand), camera, watch.ms(), false, towards_arm};
 }
 
 Estimate HandReader::read(const Observation& seen) {

@@ -13,7 +13,11 @@ Intrinsics mirrored(const Intrinsics& camera) {
 }  // namespace
 
 Observation mirrored(const Observation& seen) {
-  return {mirrored(seen.gray), mirrored(seen.hand), mirrored(seen.camera), seen.segment_ms};
+  Observation flipped{mirrored(seen.gray), mirrored(seen.hand), mirrored(seen.camera),
+                      seen.segment_ms};
+  if (seen.towards_arm)
+    flipped.towards_arm = Eigen::Vector2d(-seen.towards_arm->x(), seen.towards_arm->y());
+  return flipped;
 }
 
 Estimate mirrored(Estimate estimate, int image_width) {

@@ -41,6 +41,11 @@ Placement rolled_back(const Placement& placement, double roll_deg) {
   return {back * placement.camera_from_row_camera, back * placement.palm_center};
 }
 
+// The middles of a hand and its arm, as far as they are seen most often: metres beyond the wrist,
+// and in the hand frame.
+constexpr double kArmPoint = 0.06;
+const Eigen::Vector3d kHandPoint(0, 0.06, 0);
+
 constexpr std::size_t kCacheLine = 64;  // bytes
 
 // Labels lie all over the file: the processor fetches them side by side, not one after the other.
@@ -91,6 +96,7 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   if (estimate.distance > options_.max_distance) return false;
   std::vector<Candidate> candidates = look_up(looks);
   if (candidates.empty()) return false;
+  if (seen.towards_arm) weigh_arms(*seen.towards_arm, candidates);
   weigh(candidates);
   const Candidate best = merged(candidates, looks);
   answer(candidates, best, seen.camera, estimate);
@@ -188,6 +194,23 @@ std::optional<Tracker::Candidate> Tracker::candidate_of(const Neighbor& neighbor
   candidate.log_weight = -distance * distance / (2 * options_.sigma_hog * options_.sigma_hog) -
                          stretch * stretch / (2 * options_.sigma_stretch * options_.sigma_stretch);
   return candidate;
+}
+
+// By the direction of their own forearm in the picture, as far as it is seen from the side.
+void Tracker::weigh_arms(const Eigen::Vector2d& towards_arm,
+                         std::vector<Candidate>& candidates) const {
+  const double sigma = radians(options_.sigma_arm_deg);
+  for (Candidate& candidate : candidates) {
+    const Skeleton& skeleton = database_.info().hands[database_.hand(candidate.row)].skeleton;
+    const Eigen::Vector3d arm =
+        candidate.rotation * (forearm_point(skeleton, candidate.angles, kArmPoint) - kHandPoint);
+    // As seen from the camera, in which the hand may be far from the axis.
+    const Eigen::Vector3d& hand = candidate.placement.palm_center;
+    const Eigen::Vector2d seen = arm.head<2>() - hand.head<2>() * (arm.z() / hand.z());
+    // For small angles a Gaussian's logarithm.
+    const double across = 1 - seen.normalized().dot(towards_arm);
+    candidate.log_weight -= across * std::min(seen.norm() / arm.norm(), 1.0) / (sigma * sigma);
+  }
 }
 
 void Tracker::answer(const std::vector<Candidate>& candidates, const Candidate& best,

@@ -23,12 +23,6 @@ struct FrameParts {
   int cell_px = 1;  // width and height of a cell in the frame
 };
 
-struct FoundHand {
-  Mask hand;  // up to the wrist; pieces on all sides of a held object
-  Mask arm;   // what belongs to it of forearm and sleeve
-  Box box;    // around the hand
-};
-
 // Immutable; thread-safe.
 class HandFinder {
  public:
@@ -64,9 +58,9 @@ struct FinderOptions {
   SkinOptions skin;
 };
 
-// The hand in a frame; all 0 when there is none.
-Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi,
-               const FinderOptions& options);
+// The hand in a frame.
+FoundHand find_hand(const ColorImage& frame, const std::optional<Box>& roi,
+                    const FinderOptions& options);
 
 // The file of a learned finder that has a name: assets/finders/NAME.safetensors in the data
 // directory.

@@ -18,7 +18,7 @@ class HandFollower {
   // The hand in the next frame; masks are all 0 when there is none. With a learned finder: the one
   // where the last was; the whole frame is looked at when there is none, and every second or so in
   // case that a hand of which much more is seen has come. Four looks at most. By colour each frame
-  // is looked at by itself, and there is no arm.
+  // is looked at by itself.
   FoundHand next(const ColorImage& frame);
   // The next frame is of another video.
   void forget();

@@ -2,6 +2,7 @@
 // Finds the hand in a camera frame.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "graspdb/core/image.h"
@@ -53,6 +54,18 @@ Mask cut_forearm(const Mask& hand);
 // when its outline or its share of the picture's border is none of a hand with its arm.
 Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi = {},
                   const SkinOptions& options = {});
+
+struct FoundHand {
+  Mask hand;  // all 0 when there is none; pieces on all sides of a held object
+  Mask arm;   // what is seen of its forearm and sleeve
+};
+// As isolate_hand, with what is cut off.
+FoundHand split_hand(const Mask& skin, const std::optional<Box>& roi = {},
+                     const SkinOptions& options = {});
+
+// From the middle of the hand to that of its arm, in the picture, of length 1; none when hardly
+// any arm is seen.
+std::optional<Eigen::Vector2d> arm_direction(const FoundHand& found);
 
 // The largest region of segment_skin; none when there is none, or when its hue or the spread of its
 // redness is none of skin. A frame of more than 110,000 pixels is shrunk for that, so that the

@@ -54,6 +54,10 @@ struct Skeleton {
 // R = Rot(-x, flexion) Rot(z, abduction) Rot(-y, axial): the flexion axis is fixed in the parent.
 PerBone<RigidTransform> hand_from_bones(const Skeleton& skeleton, const JointAngles& angles);
 
+// The point of the forearm's axis so many metres beyond the wrist, in the hand frame.
+Eigen::Vector3d forearm_point(const Skeleton& skeleton, const JointAngles& angles,
+                              double beyond_wrist);
+
 Keypoints keypoints_in_hand(const Skeleton& skeleton,
                             const PerBone<RigidTransform>& hand_from_bone);
 Keypoints keypoints_in_hand(const Skeleton& skeleton, const JointAngles& angles);

@@ -12,9 +12,9 @@ namespace graspdb {
 struct Finding {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-  double iou = kNone;    // with the true hand; none where neither is there
-  bool missed = false;   // a hand is seen, and none was found
-  bool imagined = false; // none is seen, and one was found
+  double iou = kNone;     // with the true hand; none where neither is there
+  bool missed = false;    // a hand is seen, and none was found
+  bool imagined = false;  // none is seen, and one was found
   // How far the found hand's end towards the arm lies from the true one's, along the arm. None
   // where a mask is empty or the arm points at the camera to 30 degrees.
   double wrist_mm = kNone;

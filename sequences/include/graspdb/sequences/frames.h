@@ -28,7 +28,8 @@ struct SequenceFrames {
   std::vector<FrameTruth> truth;
   std::vector<double> occlusion;
   FrameKind kind = FrameKind::kRendered;
-  bool ends_at_wrist = false;  // so do masks: there is no forearm to be cut off
+  // Found apart from the hand, of which nothing is to be cut off then; else empty.
+  std::vector<Mask> arm;
   std::vector<Finding> found;  // how well; none for true masks
 };
 SequenceFrames render_frames(const SequenceRenderer& sequence);

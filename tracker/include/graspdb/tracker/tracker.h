@@ -48,6 +48,7 @@ struct TrackerOptions {
   int kept = 0;          // hypotheses, the heaviest, that the next frame remembers, 1..1000
   double sigma_hog = 0;  // of the descriptor distance (a row's 255 counts as 1), .01..100
   double sigma_stretch = 0;  // of the logarithm of the box's aspect ratio over the row's, .01..100
+  double sigma_arm_deg = 0;  // of the arm's direction in the picture, 1..1000
   double sigma_pose = 0;     // of the pose vector around the previous answer, .01..100
   double bandwidth = 0;      // of the pose vector around each previous hypothesis, .01..100
   double merge_deg = 0;  // the answer lies between the hypotheses so near to the heaviest, 0..90;
@@ -71,7 +72,7 @@ struct TrackerNumber {
   const char* help;
   bool tuned = true;  // scripts/tune.py chooses it
 };
-inline constexpr std::array<TrackerNumber, 9> kTrackerNumbers = {
+inline constexpr std::array<TrackerNumber, 10> kTrackerNumbers = {
     {{"neighbours", "-k,--neighbours", &TrackerOptions::neighbors, 1, 1000, "Neighbours looked up"},
      {"roll_deg", "--roll", &TrackerOptions::roll_deg, 0, 90,
       "Frames are looked at rolled by so much either way, too, degrees; 0: not"},
@@ -80,6 +81,8 @@ inline constexpr std::array<TrackerNumber, 9> kTrackerNumbers = {
       "Of the descriptor distance"},
      {"sigma_stretch", "--sigma-stretch", &TrackerOptions::sigma_stretch, 0.01, 100,
       "Of the box's log aspect ratio against the row's"},
+     {"sigma_arm_deg", "--sigma-arm", &TrackerOptions::sigma_arm_deg, 1, 1000,
+      "Of the arm's direction in the picture against the row's, degrees"},
      {"sigma_pose", "--sigma-pose", &TrackerOptions::sigma_pose, 0.01, 100,
       "Of the pose around the last answer (gaussian)"},
      {"bandwidth", "--bandwidth", &TrackerOptions::bandwidth, 0.01, 100,
@@ -100,6 +103,8 @@ struct Observation {
   Intrinsics camera;
   double segment_ms = 0;   // what finding it took
   bool colorless = false;  // no hand was found, and there is no colour to find one by
+  // From the hand to its arm, in the picture, of length 1; none when no arm is seen.
+  std::optional<Eigen::Vector2d> towards_arm = {};
 };
 
 struct Hypothesis {
@@ -168,6 +173,7 @@ class Tracker {
   std::vector<Candidate> look_up(const std::vector<Look>& looks) const;
   std::optional<Candidate> candidate_of(const Neighbor& neighbor, const Look& look) const;
   void check_row(std::uint32_t row) const;
+  void weigh_arms(const Eigen::Vector2d& towards_arm, std::vector<Candidate>& candidates) const;
   double log_prior(const PoseVector& pose) const;
   static void put_heaviest_first(std::vector<Candidate>& candidates);
   void weigh(std::vector<Candidate>& candidates) const;
