@@ -4,8 +4,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "candidate.h"
+#include "column_products.h"
 #include "graspdb/core/transform.h"
 
 namespace graspdb {
@@ -37,6 +39,11 @@ Eigen::RowVectorXf difference(DescriptorView row, DescriptorView seen) {
   return view(row) - view(seen);
 }
 
+template <typename Lines>
+auto numbers_of(Lines& lines) {
+  return std::span(lines.data(), static_cast<std::size_t>(lines.size()));
+}
+
 }  // namespace
 
 PoseLine fitted_pose(const PoseLines& poses, const CodeLines& codes, const LineWeights& weights) {
@@ -45,9 +52,10 @@ PoseLine fitted_pose(const PoseLines& poses, const CodeLines& codes, const LineW
   const LineWeights roots = weights.cwiseSqrt();
   const CodeLines from_mean = roots.asDiagonal() * (codes.rowwise() - mean_code);
   const PoseLines turned = roots.asDiagonal() * (poses.rowwise() - mean_pose);
-  Eigen::MatrixXf squares = Eigen::MatrixXf::Zero(codes.cols(), codes.cols());
-  squares.diagonal().fill(kCodeRidge * kCodeRidge);
-  squares.selfadjointView<Eigen::Lower>().rankUpdate(from_mean.transpose());
+  CodeLines squares(codes.cols(), codes.cols());
+  column_products(numbers_of(from_mean), static_cast<std::size_t>(codes.cols()),
+                  numbers_of(squares));
+  squares.diagonal().array() += kCodeRidge * kCodeRidge;
   // Only along the mean code is the slope of use: that is one equation to solve, not one a number.
   const Eigen::VectorXf along =
       squares.selfadjointView<Eigen::Lower>().llt().solve(mean_code.transpose());
