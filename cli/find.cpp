@@ -11,6 +11,7 @@
 #include "finder_options.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/folder.h"
+#include "graspdb/features/hand_follower.h"
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/finding.h"
 #include "graspdb/video/frame_source.h"
@@ -24,6 +25,7 @@ namespace fs = std::filesystem;
 struct FindArguments {
   std::string input, out, truth;
   FinderSettings finder;
+  bool still = false;
 };
 
 // As `track --masks` looks for them.
@@ -86,7 +88,7 @@ class FindRun {
  public:
   explicit FindRun(const FindArguments& options)
       : options_(options),
-        finder_(options.finder.options()),
+        follower_(options.finder.options(), options.finder.box()),
         source_(open_source(options.input, options.truth)),
         folder_(options.out) {}
 
@@ -111,7 +113,8 @@ class FindRun {
 
  private:
   void one_frame(const InputFrame& frame) {
-    const Mask hand = find_hand(frame.color, options_.finder.box(), finder_).hand;
+    if (options_.still || source_->unrelated()) follower_.forget();
+    const Mask hand = follower_.next(frame.color).hand;
     const std::string name = mask_name(frame);
     folder_.write(name, hand);
     ++frames_;
@@ -120,7 +123,7 @@ class FindRun {
   }
 
   const FindArguments& options_;
-  const FinderOptions finder_;
+  HandFollower follower_;
   std::unique_ptr<FrameSource> source_;
   MaskFolder folder_;
   Agreement agreement_;
@@ -154,6 +157,7 @@ void add_find(CLI::App& app) {
       ->check(output_folder());
   verb->add_option("--truth", options->truth,
                    "A folder of true masks, named alike: tells how well the found ones agree");
+  add_still_option(*verb, options->still);
   add_finder_option(*verb, options->finder);
   add_roi_option(*verb, options->finder);
   verb->footer(

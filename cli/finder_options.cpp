@@ -51,6 +51,12 @@ CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings) {
       ->check(check_finder);
 }
 
+void add_still_option(CLI::App& verb, bool& still) {
+  verb.add_flag("--still", still,
+                "Frames are photographs that have nothing to do with each other; a picture alone, "
+                "or a folder of some that are not numbered one after the other, always are");
+}
+
 void add_roi_option(CLI::App& verb, FinderSettings& settings) {
   verb.add_option("--roi", settings.roi, "Only hands that reach into this box: x,y,w,h in pixels")
       ->delimiter(',')

@@ -23,6 +23,7 @@ struct FinderSettings {
 };
 
 CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings);
+void add_still_option(CLI::App& verb, bool& still);
 void add_roi_option(CLI::App& verb, FinderSettings& settings);
 
 // Throws Error, with what the source says of itself, when it had no frames.

@@ -17,6 +17,7 @@
 #include "graspdb/tracker/hand_reader.h"
 #include "graspdb/video/frame_source.h"
 #include "graspdb/video/video_writer.h"
+#include "track_camera.h"
 #include "track_log.h"
 #include "track_statistics.h"
 #include "tracker_options.h"
@@ -29,18 +30,26 @@ constexpr int kOverlayHeight = 360;
 
 struct TrackArguments {
   std::string database, input, masks, json, video;
-  std::string handedness = "right";
+  Handedness handedness = Handedness::kAuto;
   TrackerSettings tracker;
-  double focal_px = 0;  // 0: guessed
+  CameraSettings camera;
   FinderSettings finder;
-  bool show = false;
+  bool show = false, still = false;
 };
 
-ReaderOptions reader_options(const TrackArguments& options, const Database& database) {
+// Of rendered sequences, whose truth is a right hand's, nothing is left open.
+Handedness handedness_of(const TrackArguments& options, const FrameSource& source) {
+  const bool known = source.sequence() && options.handedness == Handedness::kAuto;
+  return known ? Handedness::kRight : options.handedness;
+}
+
+ReaderOptions reader_options(const TrackArguments& options, const Database& database,
+                             const FrameSource& source) {
   return {.tracker = options.tracker.options(database),
           .finder = options.finder.options(),
           .roi = options.finder.box(),
-          .left_hand = options.handedness == "left"};
+          .handedness = handedness_of(options, source),
+          .still = options.still || source.unrelated()};
 }
 
 // What `build --preset tracking` has and this database has not.
@@ -71,18 +80,21 @@ class Run {
       : options_(options),
         source_(open_source(options.input, options.masks)),
         database_(Database::open(options.database)),
-        reader_(database_, reader_options(options, database_), options.tracker.search),
-        log_(options.json, database_, camera_number(options.input).has_value()) {
+        reader_(database_, reader_options(options, database_, *source_), options.tracker.search),
+        log_(options.json, database_, camera_number(options.input).has_value()),
+        camera_(options.camera) {
     tell_what_is_lacking(database_);
+    if (source_->unrelated() && !options.still)
+      fmt::print(stderr, "photographs: each is read by itself, as --still has it\n");
+    if (camera_.distorted()) log_.warn("the camera's lens bends lines, which is not undone");
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
-    if (video_ || options.show) answer_.emplace(database_, options.handedness == "left");
+    if (video_ || options.show) answer_.emplace(database_);
   }
 
   void all_frames() {
     const Progress progress = console_progress("tracked", "frames");
     std::size_t done = 0;
     while (const auto frame = source_->next()) {
-      fit_camera(frame->color);
       one_frame(*frame);
       ++done;
       const std::size_t count = source_->count().value_or(0);
@@ -110,32 +122,22 @@ class Run {
   }
 
  private:
-  // The pictures of a folder may be of several sizes.
-  void fit_camera(const ColorImage& frame) {
-    const auto fits = [&frame](const Intrinsics& camera) {
-      return camera.width == frame.width() && camera.height == frame.height();
-    };
-    if (camera_ && fits(*camera_)) return;
-    if (const WrittenSequence* sequence = source_->sequence()) {
-      camera_ = sequence->camera;
-      if (fits(*camera_)) return;
-      throw Error({sequence->directory.string(), "frames/",
-                   fmt::format("pictures of {} x {} pixels", camera_->width, camera_->height),
-                   fmt::format("{} x {}", frame.width(), frame.height())});
-    }
-    const bool first = !camera_;
-    camera_ = guess_camera(frame.width(), frame.height(), options_.focal_px);
-    if (first && options_.focal_px <= 0) {
+  Intrinsics camera_of(const InputFrame& frame) {
+    const Intrinsics camera = camera_.of(frame, source_->sequence());
+    if (camera_.origin() == "guess" && !guess_told_) {
       fmt::print(stderr, "no --focal: {:.0f} px is taken, a guess; distances scale with it\n",
-                 camera_->fx);
+                 camera.fx);
+      guess_told_ = true;
     }
+    return camera;
   }
 
   void one_frame(const InputFrame& frame) {
-    const Estimate estimate = frame.mask ? reader_.read(frame.color, *frame.mask, *camera_)
-                                         : reader_.read(frame.color, *camera_);
+    const Intrinsics camera = camera_of(frame);
+    const Estimate estimate = frame.mask ? reader_.read(frame.color, *frame.mask, camera)
+                                         : reader_.read(frame.color, camera);
     statistics_.add(estimate);
-    log_.add(frame, estimate);
+    log_.add(frame, estimate, camera, camera_.origin());
     if (video_ || options_.show) draw(frame, estimate);
     if (source_->sequence()) compare_with_truth(frame, estimate);
   }
@@ -145,7 +147,7 @@ class Run {
     const std::string caption =
         estimate.valid ? fmt::format("{}  grasp {} step {}  confidence {:.2f}", frame.index,
                                      estimate.grasp, estimate.step, estimate.confidence)
-                       : fmt::format("{}  no hand", frame.index);
+                       : fmt::format("{}  no hand: {}", frame.index, why_no_answer(estimate));
     const ColorImage overlay =
         draw_overlay({frame.color, estimate, answer, caption}, kOverlayHeight);
     if (video_) video_->write(overlay);
@@ -196,7 +198,8 @@ class Run {
   TrackLog log_;
   std::optional<VideoWriter> video_;
   std::optional<EstimatePicture> answer_;
-  std::optional<Intrinsics> camera_;
+  TrackCamera camera_;
+  bool guess_told_ = false;
   TrackStatistics statistics_;
   std::vector<FrameErrors> errors_;
   bool stop_ = false;
@@ -212,8 +215,11 @@ void check_together(const TrackArguments& options) {
   check(options.finder);
   if (!options.masks.empty() && camera_number(options.input))
     throw CLI::ValidationError("--masks", "a camera's frames have none");
-  if (options.focal_px > 0 && is_sequence(options.input))
-    throw CLI::ValidationError("--focal", "a rendered sequence states its own camera");
+  const CameraSettings& camera = options.camera;
+  if (is_sequence(options.input) &&
+      (camera.focal_px > 0 || !camera.principal_px.empty() || !camera.file.empty()))
+    throw CLI::ValidationError("--focal, --principal, --camera",
+                               "a rendered sequence states its own camera");
 }
 
 }  // namespace
@@ -232,12 +238,16 @@ void add_track(CLI::App& app) {
       "--masks", options->masks,
       "A folder of hand masks, named as the frames [skin segmentation; a sequence's noisy/]");
   add_tracker_options(*verb, options->tracker);
-  verb->add_option("--focal", options->focal_px, "Focal length, pixels [0.87 of the longer side]")
-      ->check(range(50.0, 20000.0));
+  add_camera_options(*verb, options->camera);
+  add_still_option(*verb, options->still);
   add_finder_option(*verb, options->finder);
   add_roi_option(*verb, options->finder);
-  verb->add_option("--handedness", options->handedness, "The hand that is seen")
-      ->check(one_of({"right", "left"}));
+  verb->add_option("--handedness", options->handedness,
+                   "The hand that is seen; auto: as the frames tell")
+      ->transform(named<Handedness>({{"auto", Handedness::kAuto},
+                                     {"right", Handedness::kRight},
+                                     {"left", Handedness::kLeft}}))
+      ->default_str("auto");
   verb->add_option("--json", options->json,
                    "Write one JSON object per frame to this file; -: to standard output")
       ->check(output_file_or_dash());

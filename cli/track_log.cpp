@@ -12,7 +12,8 @@ TrackLog::TrackLog(const std::string& json_file, const Database& database, bool 
   if (!json_file.empty() && !to_standard_output_) json_.emplace(json_file);
 }
 
-void TrackLog::add(const InputFrame& frame, const Estimate& estimate) {
+void TrackLog::add(const InputFrame& frame, const Estimate& estimate, const Intrinsics& camera,
+                   const std::string& camera_from) {
   Remarks remarks{.notes = frame.notes};
   if (estimate.colorless) {
     remarks.warnings.push_back(
@@ -22,7 +23,8 @@ void TrackLog::add(const InputFrame& frame, const Estimate& estimate) {
   for (const std::string& warning : remarks.warnings) tell(frame.index, "warning: " + warning);
   write_last();
   if (!json_ && !to_standard_output_) return;
-  last_ = Line{{frame.index, frame.time, frame.file}, estimate, std::move(remarks)};
+  last_ = Line{
+      {frame.index, frame.time, frame.file, camera, camera_from}, estimate, std::move(remarks)};
   if (live_) write_last();
 }
 

@@ -23,7 +23,8 @@ class TrackLog {
  public:
   TrackLog(const std::string& json_file, const Database& database, bool live);
 
-  void add(const InputFrame& frame, const Estimate& estimate);
+  void add(const InputFrame& frame, const Estimate& estimate, const Intrinsics& camera,
+           const std::string& camera_from);
   void warn(const std::string& warning);  // of the whole run
   void commit();                          // the file appears
 

@@ -21,9 +21,9 @@ const DatabaseRows& EstimatePicture::rows_like(std::uint32_t row) {
 }
 
 // Mirroring x turns a left hand into the right one that the tracker saw.
-Eigen::Matrix3d EstimatePicture::right_hand_rotation(const Estimate& estimate) const {
+Eigen::Matrix3d EstimatePicture::right_hand_rotation(const Estimate& estimate) {
   const Eigen::Matrix3d& rotation = estimate.camera_from_hand.rotation;
-  if (!left_hand_) return rotation;
+  if (!estimate.left_hand) return rotation;
   const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
   return mirror * rotation * mirror;
 }
@@ -34,7 +34,7 @@ ColorImage EstimatePicture::draw(const Estimate& estimate, int side) {
   const Camera camera = crop_camera(right_hand_rotation(estimate), posed.center,
                                     database_.info().camera_distance, posed.hand_vertices, side);
   const ColorImage picture = colored(render(posed.scene, camera), {}, kDark);
-  return left_hand_ ? mirrored(picture) : picture;
+  return estimate.left_hand ? mirrored(picture) : picture;
 }
 
 }  // namespace graspdb

@@ -154,6 +154,12 @@ Levels read_levels(OIIO::ImageInput& input, const fs::path& path) {
   return {levels_of(decoded), std::numeric_limits<Sample>::max(), is_transparent(decoded)};
 }
 
+// EXIF has a whole number, of which 0 is unknown.
+double focal_35mm(const OIIO::ImageSpec& spec) {
+  const double focal = spec.get_float_attribute("Exif:FocalLengthIn35mmFilm", 0);
+  return focal > 0 && std::isfinite(focal) ? focal : 0;
+}
+
 }  // namespace
 
 void write_png(const fs::path& path, const GrayImage& image) {
@@ -186,6 +192,7 @@ Picture read_picture(const fs::path& path) {
   Picture picture{
       color_of(decoded),
       notes_on(decoded.layout, fmt::format("EXIF orientation {}", decoded.layout.orientation))};
+  picture.focal_35mm = focal_35mm(decoded.spec);
   if (is_transparent(decoded)) picture.notes.push_back("laid on black where it is transparent");
   return picture;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/tracker/estimate_json.h"
 
+#include <fmt/format.h>
+
+#include "graspdb/core/error.h"
 #include "graspdb/core/json/json_numbers.h"
 
 namespace graspdb {
@@ -16,6 +19,7 @@ void add_answer(json& line, const Estimate& estimate, const Database& database) 
     if (hypotheses.size() == kListedHypotheses) break;
     hypotheses.push_back({{"row", h.row}, {"roll_deg", h.roll_deg}, {"weight", h.weight}});
   }
+  line["handedness"] = estimate.left_hand ? "left" : "right";
   line["row"] = estimate.row;
   line["roll_deg"] = estimate.roll_deg;
   line["distance"] = estimate.distance;
@@ -33,6 +37,24 @@ void add_answer(json& line, const Estimate& estimate, const Database& database) 
 
 }  // namespace
 
+std::string why_no_answer(const Estimate& estimate) {
+  switch (estimate.no_answer) {
+    case NoAnswer::kNone:
+      return "";
+    case NoAnswer::kNoHand:
+      return estimate.colorless ? "there is no colour to find a hand by"
+                                : "nothing in the frame looks like a hand";
+    case NoAnswer::kUnlike:
+      return fmt::format("what was found resembles no row: the nearest is {:.2f} away",
+                         estimate.distance);
+    case NoAnswer::kNoRowFits:
+      return "no row like it has a box of such a shape";
+    case NoAnswer::kTooNear:
+      return "the hand would reach behind the camera";
+  }
+  GRASPDB_CHECK(false);
+}
+
 std::string estimate_json(const FrameName& frame, const Estimate& estimate,
                           const Database& database, const Remarks& remarks) {
   const Box& box = estimate.box;
@@ -48,7 +70,12 @@ std::string estimate_json(const FrameName& frame, const Estimate& estimate,
                  {"temporal", estimate.ms.temporal},
                  {"total", estimate.ms.total}}}};
   if (!frame.file.empty()) line["file"] = frame.file;
+  if (frame.camera) {
+    line["camera"] = camera_json(*frame.camera);
+    line["camera"]["from"] = frame.camera_from;
+  }
   if (estimate.valid) add_answer(line, estimate, database);
+  if (!estimate.valid) line["why"] = why_no_answer(estimate);
   if (!remarks.notes.empty()) line["notes"] = remarks.notes;
   if (!remarks.warnings.empty()) line["warnings"] = remarks.warnings;
   return line.dump();

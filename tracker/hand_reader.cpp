@@ -5,6 +5,7 @@
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/stopwatch.h"
+#include "handedness.h"
 #include "mirror.h"
 
 namespace graspdb {
@@ -22,20 +23,30 @@ HandReader::HandReader(const Database& database, const ReaderOptions& options,
       follower_(options.finder, options.roi),
       own_search_(open_search(database, search)),
       search_(*own_search_),
-      tracker_(database, search_, tracker_options(database, options)) {}
+      right_(database, search_, tracker_options(database, options),
+             std::make_shared<Describer>(database)),
+      left_(right_.beginning()),
+      evidence_(std::make_unique<HandednessEvidence>(options.still)) {}
 
 HandReader::HandReader(const Database& database, const Search& search, const ReaderOptions& options,
                        std::shared_ptr<const Describer> describer)
     : options_(options),
       follower_(options.finder, options.roi),
       search_(search),
-      tracker_(database, search_, tracker_options(database, options), std::move(describer)) {}
+      right_(database, search_, tracker_options(database, options), std::move(describer)),
+      left_(right_.beginning()),
+      evidence_(std::make_unique<HandednessEvidence>(options.still)) {}
+
+HandReader::~HandReader() = default;
+HandReader::HandReader(HandReader&&) noexcept = default;
 
 Estimate HandReader::read(const ColorImage& frame, const Intrinsics& camera) {
+  if (options_.still) forget();
   return read(observe(frame, camera));
 }
 
 Estimate HandReader::read(const ColorImage& frame, const Mask& mask, const Intrinsics& camera) {
+  if (options_.still) forget();
   const Stopwatch watch;
   Observation seen = observe(to_gray(frame), mask, camera);
   seen.segment_ms = watch.ms();
@@ -58,11 +69,33 @@ Observation HandReader::observe(GrayImage gray, const Mask& mask, const Intrinsi
   return {std::move(gray), std::move(found.hand), camera, watch.ms(), false, towards_arm};
 }
 
+void HandReader::forget() {
+  follower_.forget();
+  right_.forget();
+  left_.forget();
+  *evidence_ = HandednessEvidence(options_.still);
+}
+
+Estimate HandReader::read_as(bool left, const Observation& seen) {
+  Estimate estimate =
+      left ? mirrored(left_.step(mirrored(seen)), seen.gray.width()) : right_.step(seen);
+  estimate.left_hand = left;
+  return estimate;
+}
+
+Estimate HandReader::read_as_either(const Observation& seen) {
+  if (evidence_->firm()) return read_as(evidence_->left(), seen);
+  Estimate right = read_as(false, seen), left = read_as(true, seen);
+  if (right.no_answer != NoAnswer::kNoHand && left.no_answer != NoAnswer::kNoHand)
+    evidence_->add(right.distance, left.distance);
+  return evidence_->left() ? left : right;
+}
+
 Estimate HandReader::read(const Observation& seen) {
   const Stopwatch watch;
-  Estimate estimate = options_.left_hand
-                          ? mirrored(tracker_.step(mirrored(seen)), seen.gray.width())
-                          : tracker_.step(seen);
+  Estimate estimate = options_.handedness == Handedness::kAuto
+                          ? read_as_either(seen)
+                          : read_as(options_.handedness == Handedness::kLeft, seen);
   estimate.ms.segment = seen.segment_ms;
   estimate.ms.total = seen.segment_ms + watch.ms();
   estimate.hand = seen.hand;

@@ -67,16 +67,27 @@ Tracker::Tracker(const Database& database, const Search& search, const TrackerOp
       describer_(describer ? std::move(describer) : std::make_shared<Describer>(database)) {
   check_options(options);
   if (options.temporal == TemporalModel::kSuccessors)
-    successors_ = std::make_unique<Successors>(database);
+    successors_ = std::make_shared<Successors>(database);
 }
 
 Tracker::~Tracker() = default;
 Tracker::Tracker(Tracker&&) noexcept = default;
+Tracker::Tracker(const Tracker&) = default;
+
+Tracker Tracker::beginning() const {
+  Tracker tracker(*this);
+  tracker.forget();
+  return tracker;
+}
 
 Estimate Tracker::step(const Observation& seen) {
   Estimate estimate;
-  if (!read(seen, estimate)) previous_.clear();
+  if (!read(seen, estimate)) forget();
   return estimate;
+}
+
+void Tracker::forget() {
+  previous_.clear();
 }
 
 // False, with `estimate` as far as it is known, when there is no hand.
@@ -93,8 +104,10 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   if (looks.front().neighbors.empty()) return false;
   estimate.distance = nearest_distance(looks);
   estimate.confidence = confidence_at(estimate.distance, descriptor_kind(database_));
+  estimate.no_answer = NoAnswer::kUnlike;
   if (estimate.distance > options_.max_distance) return false;
   std::vector<Candidate> candidates = look_up(looks);
+  estimate.no_answer = NoAnswer::kNoRowFits;
   if (candidates.empty()) return false;
   if (seen.towards_arm) weigh_arms(*seen.towards_arm, candidates);
   weigh(candidates);
@@ -233,6 +246,7 @@ void Tracker::answer(const std::vector<Candidate>& candidates, const Candidate& 
   estimate.joints = (best.rotation * keypoints_in_hand(skeleton, best.angles)).colwise() + wrist;
   // A box that fills the frame can put joints behind the camera: then nothing is known.
   estimate.valid = estimate.joints.row(2).minCoeff() > kNearestDepth;
+  estimate.no_answer = estimate.valid ? NoAnswer::kNone : NoAnswer::kTooNear;
   for (int i = 0; i < kKeypointCount; ++i)
     estimate.joints_px.col(i) = camera.project(estimate.joints.col(i));
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <opencv2/videoio.hpp>
 #include <tuple>
 
@@ -65,6 +66,28 @@ std::vector<fs::path> pictures_of(const fs::path& folder) {
   return files;
 }
 
+// Whether they are named as frames are: a text that all share and a number that grows by one.
+bool count_up(const std::vector<fs::path>& files) {
+  std::optional<std::pair<std::string, std::int64_t>> last;
+  for (const fs::path& file : files) {
+    const std::string stem = file.stem().string();
+    const auto digits = std::find_if_not(stem.rbegin(), stem.rend(), is_digit).base();
+    std::int64_t number = -1;
+    std::from_chars(&*digits, stem.data() + stem.size(), number);
+    const std::string text(stem.begin(), digits);
+    if (number < 0 || (last && *last != std::pair(text, number - 1))) return false;
+    last = {text, number};
+  }
+  return files.size() > 1;
+}
+
+// The diagonal of film is what EXIF compares.
+double focal_px(const Picture& picture) {
+  static const double kFilmDiagonal = std::hypot(36, 24);  // mm
+  return picture.focal_35mm * std::hypot(picture.color.width(), picture.color.height()) /
+         kFilmDiagonal;
+}
+
 // The mask named like the frame, with any ending.
 Mask find_mask(const fs::path& folder, const fs::path& frame, const ColorImage& color) {
   for (const char* ending : kPictureEndings) {
@@ -98,6 +121,7 @@ class Pictures : public FrameSource {
     Picture picture = read_picture(file);
     frame.color = std::move(picture.color);
     frame.notes = std::move(picture.notes);
+    frame.focal_px = focal_px(picture);
     if (!masks_.empty()) frame.mask = find_mask(masks_, file, frame.color);
     ++next_;
     return frame;
@@ -106,6 +130,7 @@ class Pictures : public FrameSource {
     return sequence_ ? sequence_->frames_per_second : 10;
   }
   std::optional<std::size_t> count() const override { return files_.size(); }
+  bool unrelated() const override { return !sequence_ && !count_up(files_); }
   const WrittenSequence* sequence() const override { return sequence_ ? &*sequence_ : nullptr; }
 
  private:

@@ -135,6 +135,25 @@ TEST_F(TrackMedia, MasksOfOneAndOfLabelsAreReadAsThoseOf255) {
   EXPECT_THAT(refused.err, HasSubstr("masks/a.png"));
 }
 
+TEST_F(TrackMedia, ThePictureSaysWhichCameraIsTaken) {
+  write_png(path("frames/a.png"), block_of_skin());
+  write_png(path("masks/a.png"), mask_of_block(255));
+  const auto camera = [&](const std::string& options) {
+    const Outcome outcome = track(path("frames") + " --masks " + path("masks") + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return answers().at(0).at("camera");
+  };
+  EXPECT_EQ(camera("").at("from"), "guess");
+  const json stated = camera(" --focal 300 --principal 10,20");
+  EXPECT_EQ(stated.at("from"), "--focal");
+  EXPECT_EQ(stated.at("fx_px"), 300);
+  EXPECT_EQ(stated.at("cx_px"), 10);
+  write_text(path("k.txt"), "300 0 40 0 310 50 0 0 1");
+  const json calibrated = camera(" --camera " + path("k.txt"));
+  EXPECT_EQ(calibrated.at("from"), "calibration");
+  EXPECT_EQ(calibrated.at("fy_px"), 310);
+}
+
 TEST_F(TrackMedia, BlackMasksAreNoHandAndTheRunSaysSo) {
   write_png(path("frames/a.png"), block_of_skin());
   write_png(path("masks/a.png"), mask_of_block(0));
@@ -144,6 +163,7 @@ TEST_F(TrackMedia, BlackMasksAreNoHandAndTheRunSaysSo) {
   EXPECT_EQ(outcome.code, kNothingFound);
   EXPECT_THAT(outcome.err, HasSubstr("no hand in any of 2 frames"));
   EXPECT_FALSE(answers().at(0).contains("warnings"));
+  EXPECT_EQ(answers().at(0).at("why"), "nothing in the frame looks like a hand");
   EXPECT_THAT(last_warnings(), HasSubstr("no hand in any of 2 frames"));
   write_png(path("masks/b.png"), mask_of_block(255));
   outcome = track_frames();

@@ -51,6 +51,28 @@ TEST(IsolateHand, KeepsThePalmAndDropsTheArm) {
   EXPECT_EQ(hand.at(160, kHeight - 5), 0);
 }
 
+TEST(IsolateHand, WhatIsCutOffIsTheArm) {
+  const Mask whole = palm_and_arm();
+  const FoundHand found = split_hand(whole);
+  EXPECT_EQ(found.hand, isolate_hand(whole));
+  EXPECT_GT(area(found.arm), 2000);
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    EXPECT_FALSE(found.hand.data()[i] != 0 && found.arm.data()[i] != 0);
+  const auto direction = arm_direction(found);
+  ASSERT_TRUE(direction);
+  EXPECT_NEAR(direction->x(), 0, 0.05);
+  EXPECT_NEAR(direction->y(), 1, 0.01);
+}
+
+TEST(IsolateHand, AHandWithoutAnArmHasNoDirectionOfIt) {
+  const Mask hand = isolate_hand(palm_and_arm()), nothing(kWidth, kHeight);
+  EXPECT_FALSE(arm_direction({hand, nothing}));
+  EXPECT_FALSE(arm_direction({nothing, hand}));
+  Mask speck = nothing;
+  speck.at(3, 3) = 255;
+  EXPECT_FALSE(arm_direction({hand, speck}));
+}
+
 TEST(IsolateHand, FillsPinholesAndTakesFrayedEdgesAway) {
   const Mask whole = palm_and_arm();
   Mask frayed = whole;

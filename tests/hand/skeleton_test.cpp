@@ -95,6 +95,16 @@ TEST(Skeleton, EveryAngleMovesOnlyItsOwnSubtree) {
   }
 }
 
+TEST(Skeleton, TheForearmsAxisLiesBehindTheWrist) {
+  const Skeleton skeleton = testing::toy_skeleton();
+  JointAngles angles = JointAngles::Zero();
+  EXPECT_TRUE(forearm_point(skeleton, angles, 0.1).isApprox(Eigen::Vector3d(0, -0.1, 0)));
+  angles[kWristFlexion] = 0.5;
+  angles[kWristDeviation] = -0.2;
+  const RigidTransform forearm = hand_from_bones(skeleton, angles)[kForearm];
+  EXPECT_TRUE(forearm_point(skeleton, angles, 0.1).isApprox(forearm * Eigen::Vector3d(0, -0.1, 0)));
+}
+
 TEST(Skeleton, JsonReturnsEveryNumberExactly) {
   Skeleton skeleton = testing::toy_skeleton();
   RandomStream random(1);

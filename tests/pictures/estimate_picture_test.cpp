@@ -51,8 +51,8 @@ class OwnHand : public ::testing::Test {
     return estimate;
   }
 
-  static ColorImage drawn(const Database& database, bool left_hand = false) {
-    return EstimatePicture(database, left_hand).draw(estimate_of(database, 2), kSide);
+  static ColorImage drawn(const Database& database) {
+    return EstimatePicture(database).draw(estimate_of(database, 2), kSide);
   }
 
   testing::TemporaryDirectory directory_;
@@ -72,11 +72,11 @@ TEST_F(OwnHand, IsDrawnAndNotTheHandOfOursThatHasItsName) {
 TEST_F(OwnHand, OfALeftHandThePictureIsTheMirroredOneOfTheMirroredAnswer) {
   const Database database = build(directory_ / "male.glb", "own.graspdb");
   Estimate mirrored_answer = estimate_of(database, 2);
+  mirrored_answer.left_hand = true;
   Eigen::Matrix3d& rotation = mirrored_answer.camera_from_hand.rotation;
   const Eigen::DiagonalMatrix<double, 3> mirror(-1, 1, 1);
   rotation = mirror * rotation * mirror;
-  EXPECT_EQ(EstimatePicture(database, true).draw(mirrored_answer, kSide),
-            mirrored(drawn(database)));
+  EXPECT_EQ(EstimatePicture(database).draw(mirrored_answer, kSide), mirrored(drawn(database)));
 }
 
 TEST_F(OwnHand, AFileThatHasChangedSinceIsRefusedByName) {

@@ -74,8 +74,8 @@ TEST_F(Photoreal, TheHandIsTheOneThatItsColorTells) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Mask found = find_hand(read_color(frame(static_cast<int>(i))));
     EXPECT_EQ(isolate_hand(photos.hand[i]), found);  // as evaluate() does without noise
-    EXPECT_GT(photos.found[i].iou, 0.9);
-    EXPECT_LT(photos.found[i].iou, 1);  // it is not the true mask
+    EXPECT_GT(photos.found[i].iou, 0.75);  // an arm that does not reach the border is not cut
+    EXPECT_LT(photos.found[i].iou, 1);     // it is not the true mask
     EXPECT_FALSE(photos.found[i].missed);
     EXPECT_EQ(photos.truth[i].joints, renderer_->truth(static_cast<int>(i)).joints);
   }

@@ -91,18 +91,49 @@ TEST_F(Reader, AFrameWithoutColorIsToldFromOneWithoutAHand) {
   ColorImage gray = frame.color;
   for (Bgr& pixel : gray) pixel = {pixel[2], pixel[2], static_cast<std::uint8_t>(pixel[2] + 3)};
   EXPECT_TRUE(reader().read(gray, kFrameCamera).colorless);
-  EXPECT_TRUE(reader({.left_hand = true}).read(gray, kFrameCamera).colorless);
+  EXPECT_TRUE(reader({.handedness = Handedness::kLeft}).read(gray, kFrameCamera).colorless);
   EXPECT_FALSE(reader().read(gray, frame.mask, kFrameCamera).colorless);
   EXPECT_FALSE(reader().read(frame.color, kFrameCamera).colorless);
   const ColorImage wall(kWidth, kHeight, {90, 60, 40});
   EXPECT_FALSE(reader().read(wall, kFrameCamera).colorless);
 }
 
+// In the mirror the bar lies at 160 degrees, as no row does.
+TEST_F(Reader, RightAndLeftAreToldByTheNearestRow) {
+  const testing::BarPicture picture = testing::bar(radians(20));
+  const Observation right{picture.gray, picture.mask, testing::kCamera};
+  const Observation left{mirrored(picture.gray), mirrored(picture.mask), testing::kCamera};
+  HandReader both = reader({.handedness = Handedness::kAuto});
+  EXPECT_FALSE(both.read(right).left_hand);
+  both.forget();
+  int frames = 0;
+  while (!both.read(left).left_hand && frames < 20) ++frames;
+  EXPECT_LT(frames, 10) << "in a video a right hand is likelier at first";
+  EXPECT_EQ(both.read(left).row, 1u);
+  both.forget();
+  EXPECT_FALSE(both.read(right).left_hand);
+  HandReader still = reader({.handedness = Handedness::kAuto, .still = true});
+  EXPECT_TRUE(still.read(left).left_hand);
+}
+
+TEST_F(Reader, PhotographsKnowNothingOfEachOther) {
+  const Frame frame(100);
+  const auto second_answer = [&](bool still) {
+    ReaderOptions options{.still = still};
+    options.tracker = testing::PlainOptions{.temporal = TemporalModel::kGaussian};
+    options.tracker->max_distance = 1000;
+    HandReader reader(*database_, *search_, options);
+    reader.read(frame.color, frame.mask, kFrameCamera);
+    return reader.read(frame.color, frame.mask, kFrameCamera).hypotheses.front().weight;
+  };
+  EXPECT_NE(second_answer(false), second_answer(true));
+}
+
 TEST_F(Reader, AMirroredFrameOfTheOtherHandGivesTheMirroredAnswer) {
   const Frame frame(100);
   const Estimate seen = reader().read(frame.color, frame.mask, kFrameCamera);
-  const Estimate other =
-      reader({.left_hand = true}).read(mirrored(frame.color), mirrored(frame.mask), kFrameCamera);
+  const Estimate other = reader({.handedness = Handedness::kLeft})
+                             .read(mirrored(frame.color), mirrored(frame.mask), kFrameCamera);
   ASSERT_TRUE(other.valid);
   EXPECT_EQ(other.row, seen.row);
   EXPECT_EQ(other.hand, mirrored(seen.hand));

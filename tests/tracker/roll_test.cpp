@@ -119,7 +119,7 @@ TEST_F(RolledTracker, TheRollOfALeftHandIsThatOfItsOwnFrame) {
   const ReaderOptions options{
       .tracker = PlainOptions{.temporal = TemporalModel::kNone, .sigma_hog = 0.3, .roll_deg = 30}};
   ReaderOptions left = options;
-  left.left_hand = true;
+  left.handedness = Handedness::kLeft;
   HandReader reader(*database_, row_1_, options), other(*database_, row_1_, left);
   const Estimate a = reader.read(seen(right));
   const Estimate b = other.read({mirrored(right.gray), mirrored(right.mask), kCamera});

@@ -99,6 +99,46 @@ TEST_F(BarTracker, ThePastDecidesWhatThePictureLeavesOpen) {
   EXPECT_EQ(show(blind, bar(angle_of(kFlipped))).row, 2u);
 }
 
+TEST_F(BarTracker, TheArmDecidesWhatThePictureLeavesOpen) {
+  Tracker tracker = this->tracker(
+      {.temporal = TemporalModel::kNone, .neighbors = 5, .sigma_hog = 0.3, .sigma_arm_deg = 30});
+  const BarPicture picture = bar(angle_of(kFlipped));
+  Observation seen{picture.gray, picture.mask, kCamera};
+  const double angle = angle_of(kFlipped);  // of the row's hand, which has its arm behind it
+  for (const double off_deg : {-30, 0, 30}) {
+    const double a = angle + radians(off_deg);
+    const Eigen::Vector2d towards_arm(std::sin(a), -std::cos(a));
+    seen.towards_arm = towards_arm;
+    EXPECT_EQ(tracker.step(seen).row, 2u);
+    seen.towards_arm = -towards_arm;
+    EXPECT_EQ(tracker.step(seen).row, 8u);
+  }
+}
+
+TEST_F(BarTracker, AnArmThatIsHardlyTrustedChangesNothing) {
+  Tracker tracker = this->tracker({.temporal = TemporalModel::kNone, .sigma_arm_deg = 1000});
+  const BarPicture picture = bar(radians(25));
+  Observation seen{picture.gray, picture.mask, kCamera};
+  const double without = tracker.step(seen).hypotheses.front().weight;
+  seen.towards_arm = Eigen::Vector2d(1, 0);
+  EXPECT_NEAR(tracker.step(seen).hypotheses.front().weight, without, 0.01);
+}
+
+TEST_F(BarTracker, WhatIsForgottenDecidesNothing) {
+  Tracker tracker =
+      this->tracker({.temporal = TemporalModel::kGaussian, .neighbors = 5, .sigma_hog = 0.3});
+  show(tracker, thin());
+  tracker.forget();
+  EXPECT_EQ(show(tracker, bar(angle_of(kFlipped))).row, 2u);
+}
+
+TEST_F(BarTracker, AFrameWithoutAnAnswerSaysWhy) {
+  Tracker strict = tracker({.max_distance = 0.01});
+  EXPECT_EQ(show(strict, BarPicture{}).no_answer, NoAnswer::kNoHand);
+  EXPECT_EQ(show(strict, bar(radians(30))).no_answer, NoAnswer::kUnlike);
+  EXPECT_EQ(show(strict, bar(angle_of(1))).no_answer, NoAnswer::kNone);
+}
+
 TEST_F(BarTracker, SuccessorsAreWeighedThoughTheSearchMissesThem) {
   const OneRow search(*database_, 1);
   for (const TemporalModel model : {TemporalModel::kKde, TemporalModel::kSuccessors}) {

@@ -77,6 +77,32 @@ TEST_F(Frames, PhotographsAreUprightInAFolderAndAlone) {
   EXPECT_FALSE(alone->next());
 }
 
+TEST_F(Frames, NamesTellPhotographsFromFrames) {
+  const auto unrelated = [&](const std::vector<std::string>& names) {
+    fs::remove_all(path("named"));
+    fs::create_directories(path("named"));
+    for (const std::string& name : names) write_png(path("named/" + name), ColorImage(4, 4));
+    return open_source(path("named"), {})->unrelated();
+  };
+  EXPECT_FALSE(unrelated({"frame9.png", "frame10.png", "frame11.png"}));
+  EXPECT_FALSE(unrelated({"000000.png", "000001.png"}));
+  EXPECT_TRUE(unrelated({"000000.png", "000002.png"}));
+  EXPECT_TRUE(unrelated({"a1.png", "b2.png"}));
+  EXPECT_TRUE(unrelated({"cat.png", "dog.png"}));
+  EXPECT_TRUE(unrelated({"frame1.png"}));
+  EXPECT_TRUE(unrelated({"1.png", "99999999999999999999999999.png"}));
+}
+
+TEST_F(Frames, APhotographStatesItsFocalLength) {
+  OIIO::ImageSpec spec(36, 24, 3, OIIO::TypeDesc::UINT8);
+  spec["Exif:FocalLengthIn35mmFilm"] = 50;
+  OIIO::ImageBuf image(spec);
+  ASSERT_TRUE(image.write(path("a.jpg").string())) << image.geterror();
+  EXPECT_DOUBLE_EQ(open_source(path("a.jpg"), {})->next()->focal_px, 50);
+  write_png(path("b.png"), ColorImage(4, 4));
+  EXPECT_EQ(open_source(path("b.png"), {})->next()->focal_px, 0);
+}
+
 TEST_F(Frames, AMaskOfWhatIsStoredDoesNotFitWhatIsShown) {
   fs::create_directories(path("frames"));
   write_turned(path("frames/a.jpg"));

@@ -15,21 +15,19 @@ namespace graspdb {
 // thread-safe; the database must outlive it.
 class EstimatePicture {
  public:
-  // `left_hand`: the estimates are of left hands, mirror images of the database's right ones.
-  EstimatePicture(const Database& database, bool left_hand)
-      : database_(database), left_hand_(left_hand) {}
+  explicit EstimatePicture(const Database& database) : database_(database) {}
 
-  // A square picture of a valid estimate, `side` pixels. A grasp's first one takes a second where
+  // A square picture of a valid estimate, `side` pixels; of a left hand the mirror image of the
+  // database's right one. A grasp's first one takes a second where
   // the hand has no committed closed pose. Throws Error when hand or grasp files are absent or are
   // not those that the database was built from.
   ColorImage draw(const Estimate& estimate, int side);
 
  private:
   const DatabaseRows& rows_like(std::uint32_t row);
-  Eigen::Matrix3d right_hand_rotation(const Estimate& estimate) const;
+  static Eigen::Matrix3d right_hand_rotation(const Estimate& estimate);
 
   const Database& database_;
-  bool left_hand_;
   std::map<int, DatabaseRows> rows_;  // by grasp
 };
 

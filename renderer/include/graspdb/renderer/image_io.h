@@ -25,6 +25,9 @@ void write_exr(const std::filesystem::path& path,
 struct Picture {
   ColorImage color;
   std::vector<std::string> notes;  // what was done to it, a sentence each
+  // Of a film 36 mm wide and 24 high that would show as much, by EXIF; 0 when the file does not
+  // say.
+  double focal_35mm = 0;
 };
 Picture read_picture(const std::filesystem::path& path);
 ColorImage read_color(const std::filesystem::path& path);

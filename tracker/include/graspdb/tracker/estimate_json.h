@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "graspdb/core/remarks.h"
@@ -14,7 +15,12 @@ struct FrameName {
   int number = 0;    // from 0
   double time = 0;   // seconds
   std::string file;  // of a picture; empty for a video's and a camera's
+  std::optional<Intrinsics> camera;
+  std::string camera_from;  // who says so: "guess", "EXIF", a file
 };
+
+// A sentence; empty for an answer.
+std::string why_no_answer(const Estimate& estimate);
 
 // One line of `track --json`, without a line end; docs/tracking.md names every key.
 std::string estimate_json(const FrameName& frame, const Estimate& estimate,

@@ -16,12 +16,22 @@
 
 namespace graspdb {
 
+// Frames of a left hand are mirrored on the way in, answers on the way out.
+enum class Handedness {
+  kRight,
+  kLeft,
+  kAuto,  // both are tried, until frames have told
+};
+
 struct ReaderOptions {
   std::optional<TrackerOptions> tracker;  // absent: kde, as tuned for the database's rows
   FinderOptions finder;
   std::optional<Box> roi;  // pixels; the hand is the largest of those that reach into it
-  bool left_hand = false;  // frames are mirrored on the way in, answers on the way out
+  Handedness handedness = Handedness::kRight;
+  bool still = false;  // frames are photographs that have nothing to do with each other
 };
+
+class HandednessEvidence;
 
 // Frames of one video, in their order. Not thread-safe; the database must outlive it, and so must a
 // search that is given.
@@ -30,6 +40,8 @@ class HandReader {
   // Throws Error for a database of a descriptor that is not known and for an option out of range.
   explicit HandReader(const Database& database, const ReaderOptions& options = {},
                       const std::string& search = kDefaultSearch);
+  ~HandReader();
+  HandReader(HandReader&&) noexcept;
   // With a search, and a describer if one is given, that several readers share.
   HandReader(const Database& database, const Search& search, const ReaderOptions& options = {},
              std::shared_ptr<const Describer> describer = nullptr);
@@ -45,14 +57,21 @@ class HandReader {
   Observation observe(GrayImage gray, const Mask& mask, const Intrinsics& camera) const;
   Estimate read(const Observation& seen);
 
+  // The next frame is of another video.
+  void forget();
+
   const Search& search() const { return search_; }
 
  private:
+  Estimate read_as(bool left, const Observation& seen);
+  Estimate read_as_either(const Observation& seen);
+
   ReaderOptions options_;
   HandFollower follower_;
   std::unique_ptr<const Search> own_search_;
   const Search& search_;
-  Tracker tracker_;
+  Tracker right_, left_;
+  std::unique_ptr<HandednessEvidence> evidence_;
 };
 
 }  // namespace graspdb

@@ -118,14 +118,25 @@ struct StageTimes {  // milliseconds
   double total = 0;  // of all of them and what lies between; the first and this are HandReader's
 };
 
+// Why a frame has no answer.
+enum class NoAnswer {
+  kNone,       // it has one
+  kNoHand,     // nothing was found
+  kUnlike,     // what was found is further than max_distance from all rows
+  kNoRowFits,  // no row's hand has such a box
+  kTooNear,    // the hand would reach behind the camera
+};
+
 // Without a hand `valid` is false and only what was seen and the times mean anything.
 struct Estimate {
   bool valid = false;
+  NoAnswer no_answer = NoAnswer::kNoHand;  // kNone when valid
   // How likely the rotation is right to 30 degrees, by the distance of the nearest descriptor.
   double confidence = 0;
   // What was seen.
   bool colorless = false;      // HandReader's: no hand, as there is no colour to find it by
   Mask hand;                   // HandReader's
+  bool left_hand = false;      // HandReader's
   Box box;                     // of the mask, pixels; empty without one
   DescriptorBytes descriptor;  // of the mask's pixels; of a left hand in the mirror
   // The answer: the heaviest hypothesis; where some are merged, its pose and place lie between.
@@ -157,9 +168,14 @@ class Tracker {
   ~Tracker();
   Tracker(Tracker&&) noexcept;
 
+  // One with the same options that has seen nothing; they share all that is large.
+  Tracker beginning() const;
+
   // Reads the next frame. A mask without a hand gives an invalid estimate and forgets the past.
   // Throws Error for a database whose rows were altered.
   Estimate step(const Observation& seen);
+  // The next frame is of another video.
+  void forget();
 
  private:
   struct Look;
@@ -183,11 +199,13 @@ class Tracker {
               const Intrinsics& camera, Estimate& estimate) const;
   void remember(std::vector<Candidate> candidates, const Candidate& best);
 
+  Tracker(const Tracker&);
+
   const Database& database_;
   const Search& search_;
   TrackerOptions options_;
   std::shared_ptr<const Describer> describer_;
-  std::unique_ptr<const Successors> successors_;  // of kSuccessors
+  std::shared_ptr<const Successors> successors_;  // of kSuccessors
   std::vector<Candidate> previous_;               // heaviest first
 };
 

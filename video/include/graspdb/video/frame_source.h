@@ -22,6 +22,7 @@ struct InputFrame {
   ColorImage color;
   std::optional<Mask> mask;        // when the source brings one
   std::vector<std::string> notes;  // what was done to it; of a video, with the first such frame
+  double focal_px = 0;             // as a photograph's file states it; 0: it does not
 };
 
 // Frames one after the other, from a video, a picture, a folder of pictures (frame2 before
@@ -35,6 +36,9 @@ class FrameSource {
   virtual std::vector<std::string> warnings() const { return {}; }
   // When it is known; a video's header may be wrong.
   virtual std::optional<std::size_t> count() const = 0;
+  // Whether they are photographs that have nothing to do with each other: a single one, or a
+  // folder of pictures whose names are not those of frames, which count up by one.
+  virtual bool unrelated() const { return false; }
   // Intrinsics and truth, when the source is a rendered sequence.
   virtual const WrittenSequence* sequence() const { return nullptr; }
 };
