@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "graspdb/core/opencv/opencv_image.h"
 #include "graspdb/features/hog.h"
+#include "graspdb/features/segmentation.h"
 #include "regions.h"
 
 namespace graspdb {
@@ -41,20 +43,19 @@ bool is_in(const Box& box, int x, int y) {
   return x >= box.x && y >= box.y && x < box.x + box.width && y < box.y + box.height;
 }
 
-struct HandCells {
-  int in_roi = 0, all = 0;
+// Cells of hand and held object that are connected.
+struct Piece {
+  Mask cells, arms;  // grown by a cell; of the arms that touch it
+  Box box;           // of its cells
+  int hand = 0, hand_in_roi = 0;
 };
 
-HandCells count_hand(const FrameParts& parts, const Mask& region, const Box& roi) {
-  HandCells cells;
-  for (int y = 0; y < region.height(); ++y) {
-    for (int x = 0; x < region.width(); ++x) {
-      if (region.at(x, y) == 0 || parts.hand.at(x, y) < kLikeAnyOther) continue;
-      ++cells.all;
-      cells.in_roi += is_in(roi, x, y);
-    }
-  }
-  return cells;
+bool touch(const Mask& a, const Mask& b) {
+  return !std::ranges::equal(a, b, [](auto in_a, auto in_b) { return in_a == 0 || in_b == 0; });
+}
+
+void add(const Mask& more, Mask& mask) {
+  std::ranges::transform(more, mask, mask.begin(), [](auto a, auto b) { return std::max(a, b); });
 }
 
 void clear_outside(const Mask& region, PartCells& cells) {
@@ -69,35 +70,72 @@ Mask painted_region(const Regions& regions, std::size_t region, const Mask& like
   return mask;
 }
 
+Mask arms_of(const Mask& piece, const Regions& arms) {
+  Mask touching(piece.width(), piece.height());
+  for (std::size_t i = 0; i < arms.all().size(); ++i) {
+    const Mask arm = painted_region(arms, i, piece);
+    if (touch(arm, piece)) add(arm, touching);
+  }
+  return touching;
+}
+
+void count_hand(const FrameParts& parts, const Box& roi, Piece& piece) {
+  for (int y = 0; y < piece.cells.height(); ++y) {
+    for (int x = 0; x < piece.cells.width(); ++x) {
+      if (piece.cells.at(x, y) == 0 || parts.hand.at(x, y) < kLikeAnyOther) continue;
+      ++piece.hand;
+      piece.hand_in_roi += is_in(roi, x, y);
+    }
+  }
+}
+
+// Those with some hand, the one with the most of it in `roi` first.
+std::vector<Piece> pieces_of(const FrameParts& parts, const Box& roi) {
+  const Mask held = cells_of(parts, {&FrameParts::hand, &FrameParts::object});
+  const Regions regions(held), arms(cells_of(parts, {&FrameParts::arm}));
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < regions.all().size(); ++i) {
+    Piece piece{painted_region(regions, i, held), {}, regions.all()[i].box};
+    count_hand(parts, roi, piece);
+    if (piece.hand == 0) continue;
+    piece.arms = arms_of(piece.cells, arms);
+    pieces.push_back(std::move(piece));
+  }
+  std::ranges::stable_sort(pieces, std::greater(), &Piece::hand_in_roi);
+  return pieces;
+}
+
+// An object that is not known for one cuts pieces off, too. They are no further away than a hand is
+// long, of which the largest piece may show but half; and no hand has two arms.
+constexpr double kFurthestPiece = 2;  // in square roots of the largest piece's cells
+
+bool belongs(const Piece& piece, const Piece& hand) {
+  const bool two_arms =
+      !is_empty(piece.arms) && !is_empty(hand.arms) && !touch(piece.arms, hand.arms);
+  return !two_arms && gap_between(piece.box, hand.box) <= kFurthestPiece * std::sqrt(hand.hand);
+}
+
+void join(const Piece& piece, Piece& hand) {
+  add(piece.cells, hand.cells);
+  add(piece.arms, hand.arms);
+  hand.hand += piece.hand;
+}
+
 }  // namespace
 
 std::optional<FrameParts> largest_hand(const FrameParts& parts, int min_cells,
                                        const std::optional<Box>& roi) {
-  const Mask held = cells_of(parts, {&FrameParts::hand, &FrameParts::object});
-  const Box wanted = cells_in(roi.value_or(parts.window), parts);
-  const Regions regions(held);
-  std::optional<Mask> best;
-  int most = 0;
-  for (std::size_t i = 0; i < regions.all().size(); ++i) {
-    Mask region = painted_region(regions, i, held);
-    const HandCells cells = count_hand(parts, region, wanted);
-    if (cells.all < min_cells || cells.in_roi <= most) continue;
-    most = cells.in_roi;
-    best = std::move(region);
+  std::vector<Piece> pieces = pieces_of(parts, cells_in(roi.value_or(parts.window), parts));
+  if (pieces.empty() || pieces.front().hand_in_roi == 0) return std::nullopt;
+  Piece& hand = pieces.front();
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    if (belongs(pieces[i], hand)) join(pieces[i], hand);
   }
-  if (!best) return std::nullopt;
+  if (hand.hand < min_cells) return std::nullopt;
   FrameParts result = parts;
-  clear_outside(*best, result.hand);
-  clear_outside(*best, result.object);
-  // The arm that touches it.
-  const Regions arms(cells_of(parts, {&FrameParts::arm}));
-  Mask touching(held.width(), held.height());
-  for (std::size_t i = 0; i < arms.all().size(); ++i) {
-    const Mask arm = painted_region(arms, i, held);
-    if (std::ranges::equal(arm, *best, [](auto a, auto b) { return a == 0 || b == 0; })) continue;
-    arms.paint(i, touching);
-  }
-  clear_outside(touching, result.arm);
+  clear_outside(hand.cells, result.hand);
+  clear_outside(hand.cells, result.object);
+  clear_outside(hand.arms, result.arm);
   return result;
 }
 

@@ -9,8 +9,9 @@
 namespace graspdb {
 namespace {
 
-constexpr int kFollowed = 20;    // frames until the whole frame is looked at again
-constexpr double kMuchMore = 2;  // times the pixels: another hand is followed from now on
+constexpr int kFollowed = 20;      // frames until the whole frame is looked at again
+constexpr double kSuddenly = 0.5;  // of the pixels from one frame to the next: some are lost
+constexpr double kMuchMore = 2;    // times the pixels: another hand is followed from now on
 
 double pixels(const FoundHand& found) {
   return static_cast<double>(std::count(found.hand.begin(), found.hand.end(), 255));
@@ -28,7 +29,8 @@ void HandFollower::forget() {
 std::optional<FoundHand> HandFollower::follow(const ColorImage& frame) {
   std::optional<FoundHand> again;
   if (last_) again = options_.net->find_again(frame, *last_);
-  if (again && ++followed_ < kFollowed) return again;
+  const bool shrunk = again && pixels(*again) < kSuddenly * last_px_;
+  if (again && !shrunk && ++followed_ < kFollowed) return again;
   followed_ = 0;
   std::optional<FoundHand> any = options_.net->find(frame, roi_);
   const bool keeps = again && (!any || pixels(*any) < kMuchMore * pixels(*again));
@@ -40,6 +42,7 @@ FoundHand HandFollower::next(const ColorImage& frame) {
   const Mask nothing(frame.width(), frame.height());
   FoundHand found = follow(frame).value_or(FoundHand{nothing, nothing});
   last_ = tight_box(found.hand);
+  last_px_ = pixels(found);
   return found;
 }
 

@@ -54,12 +54,6 @@ bool touches_border(const Box& box, const Mask& mask) {
          box.y + box.height == mask.height();
 }
 
-double gap_between(const Box& a, const Box& b) {
-  const int x = std::max({0, a.x - b.x - b.width, b.x - a.x - a.width});
-  const int y = std::max({0, a.y - b.y - b.height, b.y - a.y - a.height});
-  return std::hypot(x, y);
-}
-
 bool is_piece(const Region& region, const Region& largest, const Mask& mask) {
   return region.area_px >= kSmallestPiece * largest.area_px && !touches_border(region.box, mask) &&
          gap_between(region.box, largest.box) <= kWidestGap * std::sqrt(largest.area_px);

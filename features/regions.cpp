@@ -2,6 +2,7 @@
 #include "regions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "graspdb/core/error.h"
 #include "graspdb/features/hog.h"
@@ -94,6 +95,12 @@ void Regions::paint(std::size_t region, Mask& mask) const {
     if (run.region != region) continue;
     std::fill(mask.row(run.y) + run.begin, mask.row(run.y) + run.end, std::uint8_t{255});
   }
+}
+
+double gap_between(const Box& a, const Box& b) {
+  const int x = std::max({0, a.x - b.x - b.width, b.x - a.x - a.width});
+  const int y = std::max({0, a.y - b.y - b.height, b.y - a.y - a.height});
+  return std::hypot(x, y);
 }
 
 std::optional<Mask> largest_region(const Mask& mask, int min_area_px,

@@ -16,6 +16,9 @@ struct Region {
   Box box;
 };
 
+// Between their nearest sides or corners; 0 when they overlap.
+double gap_between(const Box& a, const Box& b);
+
 // Found as runs of pixels: runs of neighbouring rows that touch are joined.
 class Regions {
  public:

@@ -23,18 +23,28 @@ def labels_of(program, sequence, work):
     return sorted((folder / "labels").glob("*.png"))
 
 
-class Photoreal:
-    """Frames of the sequences that have photoreal ones, shrunk as the finder wants them, and their labels."""
+def frames_of(options, names):
+    """Pairs of the files of a photoreal frame and its labels, of these sequences."""
+    pairs = []
+    for name in names:
+        labels = labels_of(options.program, pathlib.Path(options.sequences) / f"{name}.seq.toml", options.work)
+        pairs += [(pathlib.Path(options.photoreal) / name / f"{path.stem}.jpg", path) for path in labels]
+    return pairs
 
-    def __init__(self, program, sequences, photoreal, work, every=3):
+
+class Photoreal:
+    """Every third photoreal frame of the sequences, shrunk as the finder wants them, and their labels."""
+
+    def __init__(self, options, learned_from=()):
         self.frames, self.labels, self.sequence = [], [], []
-        for folder in sorted(path for path in pathlib.Path(photoreal).iterdir() if path.is_dir()):
-            labels = labels_of(program, pathlib.Path(sequences) / f"{folder.name}.seq.toml", pathlib.Path(work))
-            for path in labels[::every]:
-                frame = cv2.imread(str(folder / f"{path.stem}.jpg"))
-                self.frames.append(cv2.resize(frame, (WIDTH, HEIGHT), interpolation=cv2.INTER_AREA))
-                self.labels.append(CLASS_OF_LABEL[cv2.imread(str(path), cv2.IMREAD_GRAYSCALE)] == HAND)
-                self.sequence.append(folder.name)
+        names = sorted(path.name for path in pathlib.Path(options.photoreal).iterdir() if path.is_dir())
+        for name in names:
+            if name in learned_from:
+                continue
+            for frame, labels in frames_of(options, [name])[::3]:
+                self.frames.append(cv2.resize(cv2.imread(str(frame)), (WIDTH, HEIGHT), interpolation=cv2.INTER_AREA))
+                self.labels.append(CLASS_OF_LABEL[cv2.imread(str(labels), cv2.IMREAD_GRAYSCALE)] == HAND)
+                self.sequence.append(name)
 
     def figures(self, scores_of):
         """IoU by sequence; `scores_of` gives scores [N, classes, h, w] of BGR bytes."""

@@ -10,11 +10,15 @@ import numpy as np
 WIDTH, HEIGHT = 160, 120
 SOURCE = (320, 240)  # what is kept of a rendered picture
 BRIGHTEST = 4  # of light in the files, at 65535
-HAND = 1
+HAND, OBJECT = 1, 3
 CLASS_OF_LABEL = np.array([0, 1, 2, 3, 2], np.uint8)  # a sleeve is arm
+REST_OR_ARM = 4
+CLASS_OF_FRAME = np.array([REST_OR_ARM, HAND, REST_OR_ARM, OBJECT], np.uint8)
 HANDS = (0.1, 0.75, 0.15)  # shares of pictures with none, one and two
 SMALLEST_CROP = 0.4
 OTHER_ROOM = 0.7
+FRAMES = 0.2  # of the pictures, when there are any
+PRINTED = 0.6  # of the objects
 
 
 def middle(mask):
@@ -30,8 +34,12 @@ def shrunk(path):
 
 
 class Pictures:
-    def __init__(self, folders):
-        """All scenes of these folders, read into memory: 2 MB each."""
+    def __init__(self, folders, frames=()):
+        """All scenes of these folders, read into memory: 2 MB each. `frames`: pairs of a photoreal frame of a sequence
+        and its labels, in which a sleeve is not told from the rest."""
+        self.frames = [(cv2.resize(cv2.imread(str(frame)), SOURCE, interpolation=cv2.INTER_AREA),
+                        cv2.resize(CLASS_OF_FRAME[cv2.imread(str(labels), cv2.IMREAD_GRAYSCALE)], SOURCE,
+                                   interpolation=cv2.INTER_NEAREST)) for frame, labels in frames]
         self.rooms, self.fronts, self.labels, self.places, self.room_of = [], [], [], [], []
         for scene in sorted(path for folder in folders for path in pathlib.Path(folder).iterdir() if path.suffix == ""):
             for front in sorted(scene.glob("front*.png")):
@@ -44,6 +52,8 @@ class Pictures:
 
     def draw(self, rng):
         """(BGR bytes [H, W, 3], classes [H, W])."""
+        if self.frames and rng.random() < FRAMES:
+            return self.draw_frame(rng)
         first = rng.integers(len(self.fronts))
         room = rng.integers(len(self.rooms)) if rng.random() < OTHER_ROOM else self.room_of[first]
         light = light_of(taken(self.rooms[room], crop(rng)))
@@ -53,14 +63,51 @@ class Pictures:
             light, classes = self.with_hand(light, classes, front, rng)
         return photographed(light, rng), classes
 
+    def draw_frame(self, rng):
+        frame, classes = self.frames[rng.integers(len(self.frames))]
+        window = crop(rng, middle(classes == HAND))
+        light = np.power(taken(frame, window).astype(np.float32) / 255, 2.2) * 1.2
+        return photographed(light, rng), taken(classes, window, cv2.INTER_NEAREST)
+
     def with_hand(self, light, classes, number, rng):
         window = crop(rng, self.places[number])
         front = taken(self.fronts[number], window)
         alpha = front[:, :, 3:].astype(np.float32) / 255
         brightness = np.exp(rng.normal(0, 0.25))
-        light = brightness * light_of(front[:, :, :3]) + (1 - alpha) * light
         seen = taken(self.labels[number], window, cv2.INTER_NEAREST)
+        own_light = light_of(front[:, :, :3])
+        if rng.random() < PRINTED:
+            own_light = with_print(own_light, seen == OBJECT, rng)
+        light = brightness * own_light + (1 - alpha) * light
         return light, np.where(alpha[:, :, 0] > 0.5, seen, classes)
+
+
+def pattern(rng):
+    """Where of two colours the second shows: blots, or stripes that run askew."""
+    size = int(rng.integers(4, 40))
+    field = cv2.resize(rng.standard_normal((size, size)).astype(np.float32), (WIDTH, HEIGHT), interpolation=cv2.INTER_CUBIC)
+    if rng.random() < 0.6:
+        rows, columns = np.mgrid[:HEIGHT, :WIDTH]
+        turn, length = rng.uniform(0, np.pi), rng.uniform(4, 30)
+        field = 0.4 * field + np.sin(2 * np.pi / length * (np.cos(turn) * columns + np.sin(turn) * rows))
+    return field > rng.normal(0, 0.5)
+
+
+def with_print(light, shown, rng):
+    """Another colour for the pixels `shown`, shaded as they are, and a label of two colours on a part of them."""
+    if not shown.any():
+        return light
+    grey = light.mean(axis=2)
+    shade = np.clip(grey / max(grey[shown].mean(), 1e-3), 0, 3)[:, :, None]
+    albedo = np.exp(rng.uniform(-2.5, 0.3, (3, 3))).astype(np.float32)
+    rows, columns = np.nonzero(shown)
+    middle_row, middle_column = rows[(k := rng.integers(len(rows)))], columns[k]
+    turn = rng.uniform(0, np.pi)
+    down, across = np.mgrid[:HEIGHT, :WIDTH] - np.array([middle_row, middle_column])[:, None, None]
+    along = np.abs(np.cos(turn) * across + np.sin(turn) * down) < rng.uniform(3, 60)
+    label = along & (np.abs(np.cos(turn) * down - np.sin(turn) * across) < rng.uniform(3, 60))
+    color = np.where((label & pattern(rng))[:, :, None], albedo[2], np.where(label[:, :, None], albedo[1], albedo[0]))
+    return np.where(shown[:, :, None], shade * color, light)
 
 
 def light_of(bytes_):

@@ -53,7 +53,7 @@ class Trainer(Learner):
         seed_all(recipe.seed)
         self.recipe, self.device, self.half = recipe, device, device == "cuda" or has_half_numbers()
         self.net = FinderNet(layers_from(recipe.layers)).to(device, memory_format=torch.channels_last)
-        self.weights = torch.tensor([1.0, recipe.hand_weight, 1.0, 1.0]).to(device)
+        self.weights = torch.tensor([1.0, recipe.hand_weight, 1.0, 1.0, 1.0]).to(device)
         self.replicas = Replicas(self.net, self.loss_of, recipe.parts)
         self.optimizer = torch.optim.AdamW(self.net.parameters(), recipe.rate, weight_decay=recipe.decay)
         self.step = 0
@@ -67,7 +67,9 @@ class Trainer(Learner):
         with torch.autocast(self.device, torch.bfloat16, enabled=self.half):
             scores = net(pictures)
         wide = F.interpolate(scores.float(), size=(HEIGHT, WIDTH), mode="bilinear", align_corners=False)
-        loss = F.cross_entropy(wide, torch.as_tensor(batch["classes"]).to(self.device).long(), self.weights)
+        logs = F.log_softmax(wide, 1)
+        logs = torch.cat([logs, torch.logaddexp(logs[:, 0], logs[:, 2])[:, None]], 1)  # of REST_OR_ARM
+        loss = F.nll_loss(logs, torch.as_tensor(batch["classes"]).to(self.device).long(), self.weights)
         return loss, {"loss": loss.item()}
 
     def save(self, path):
@@ -76,6 +78,10 @@ class Trainer(Learner):
         torch.save({"recipe": dataclasses.asdict(self.recipe), "net": self.net.state_dict(),
                     "optimizer": self.optimizer.state_dict(), "step": self.step}, file)
         safetensors.write_aside(path, file.getvalue())
+
+    def begin_with(self, weights):
+        self.net.load_state_dict(weights)
+        self.replicas.copy_all()
 
     @staticmethod
     def recipe_of(path):
@@ -152,6 +158,9 @@ def parsed():
     parser.add_argument("--work", required=True, type=pathlib.Path, help="checkpoint, labels of what is measured")
     parser.add_argument("--out", required=True, type=pathlib.Path, help="the weights")
     parser.add_argument("--program", help="graspdb, to measure")
+    parser.add_argument("--frames", nargs="*", default=[], metavar="NAME",
+                        help="sequences whose photoreal frames are learned from, too; the others are measured on")
+    parser.add_argument("--start", type=pathlib.Path, help="a checkpoint of another training, to go on from its net")
     parser.add_argument("--sequences", help="a folder of sequences to measure on")
     parser.add_argument("--photoreal", help="its photoreal frames")
     for field in dataclasses.fields(Recipe):
@@ -164,7 +173,7 @@ def main():
     options = parsed()
     keep_memory()
     options.work.mkdir(parents=True, exist_ok=True)
-    PICTURES = Pictures(options.photos)
+    PICTURES = Pictures(options.photos, finder_measure.frames_of(options, options.frames))
     checkpoint = options.work / "checkpoint.pt"
     recipe = Recipe(**{field.name: getattr(options, field.name) for field in dataclasses.fields(Recipe)})
     if checkpoint.exists():
@@ -172,9 +181,11 @@ def main():
     maker = Maker(recipe.seed)  # before there are threads, which are not forked
     measurement = None
     if options.photoreal:
-        measurement = finder_measure.Photoreal(options.program, options.sequences, options.photoreal, options.work)
+        measurement = finder_measure.Photoreal(options, options.frames)
     device = "cuda" if torch.cuda.is_available() else "cpu"
     trainer = Trainer.load(checkpoint, device) if checkpoint.exists() else Trainer(recipe, device)
+    if options.start and not checkpoint.exists():
+        trainer.begin_with(torch.load(options.start, map_location=device)["net"])
     layers = trainer.net.layers
     print(f"{len(PICTURES.fronts)} hands, {len(PICTURES.rooms)} rooms; {multiplications(layers, HEIGHT, WIDTH) / 1e6:.0f} million "
           f"multiplications, {sum(p.numel() for p in trainer.net.parameters())} numbers", flush=True)

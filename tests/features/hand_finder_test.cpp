@@ -138,7 +138,7 @@ bool is_hand(const FoundHand& found, const Box& box) {
   return found.hand.at(box.x + box.width / 2, box.y + box.height / 2) != 0;
 }
 
-constexpr Box kPalm{40, 30, 30, 40}, kPhone{75, 40, 12, 20}, kThumb{90, 45, 10, 8};
+constexpr Box kPalm{40, 30, 30, 40}, kThumb{90, 45, 10, 8};
 
 TEST(HandFinder, FindsAHandToThePixel) {
   ColorImage frame(160, 120);
@@ -162,11 +162,26 @@ TEST(HandFinder, FindsNoneInAnEmptyRoom) {
 
 TEST(HandFinder, WhatAHeldObjectCutsOffBelongsToTheHand) {
   ColorImage frame(160, 120);
+  const Box tip{151, 45, 8, 8};
+  paint(frame, kPalm, kRed);
+  paint(frame, tip, kRed);
+  EXPECT_FALSE(is_hand(*color_finder().find(frame), tip));
+  paint(frame, {kPalm.x + kPalm.width, 40, tip.x - kPalm.x - kPalm.width, 20}, kBlue);
+  EXPECT_TRUE(is_hand(*color_finder().find(frame), tip));
+}
+
+TEST(HandFinder, PiecesNearbyBelongToTheHandUnlessTheyHaveAnArmOfTheirOwn) {
+  ColorImage frame(160, 120);
   paint(frame, kPalm, kRed);
   paint(frame, kThumb, kRed);
-  EXPECT_FALSE(is_hand(*color_finder().find(frame), kThumb));
-  paint(frame, {kPalm.x + kPalm.width, 40, kThumb.x - kPalm.x - kPalm.width, 20}, kBlue);
+  const Box far{150, 45, 8, 8}, arm{92, 53, 6, 67};
+  paint(frame, far, kRed);
   EXPECT_TRUE(is_hand(*color_finder().find(frame), kThumb));
+  EXPECT_FALSE(is_hand(*color_finder().find(frame), far));
+  paint(frame, arm, kGreen);
+  EXPECT_TRUE(is_hand(*color_finder().find(frame), kThumb)) << "it may be the palm's";
+  paint(frame, {50, 70, 12, 50}, kGreen);
+  EXPECT_FALSE(is_hand(*color_finder().find(frame), kThumb));
 }
 
 TEST(HandFinder, AGapAsNarrowAsALineCutsNothingOff) {
@@ -180,8 +195,10 @@ TEST(HandFinder, AGapAsNarrowAsALineCutsNothingOff) {
 TEST(HandFinder, OfTwoHandsTheLargerIsFoundUnlessARegionIsAskedFor) {
   ColorImage frame(160, 120);
   const Box other{110, 70, 20, 30};
-  paint(frame, kPalm, kRed);
-  paint(frame, other, kRed);
+  for (const Box& hand : {kPalm, other}) {
+    paint(frame, hand, kRed);
+    paint(frame, {hand.x, hand.y + hand.height, hand.width, 10}, kGreen);
+  }
   const HandFinder finder = color_finder();
   EXPECT_TRUE(is_hand(*finder.find(frame), kPalm));
   EXPECT_FALSE(is_hand(*finder.find(frame), other));

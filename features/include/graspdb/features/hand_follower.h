@@ -16,9 +16,9 @@ class HandFollower {
   explicit HandFollower(FinderOptions options, std::optional<Box> roi = {});
 
   // The hand in the next frame; masks are all 0 when there is none. With a learned finder: the one
-  // where the last was; the whole frame is looked at when there is none, and every second or so in
-  // case that a hand of which much more is seen has come. Four looks at most. By colour each frame
-  // is looked at by itself.
+  // where the last was; the whole frame is looked at when there is none, when half of it
+  // has gone at once, and every second or so in case that a hand of which much more is seen has
+  // come. Four looks at most. By colour each frame is looked at by itself.
   FoundHand next(const ColorImage& frame);
   // The next frame is of another video.
   void forget();
@@ -28,6 +28,7 @@ class HandFollower {
 
   FinderOptions options_;
   std::optional<Box> roi_, last_;
+  double last_px_ = 0;
   int followed_ = 0;  // frames since the whole frame was looked at
 };
 
