@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Half a minute of learning to find, on discs before noise: the loss falls, discs are found, whole numbers do as well
-as floats, and a training that was cut goes on."""
+as floats, the program finds what the trainer finds, and a training that was cut goes on.
+
+    finder_test.py GRASPDB
+"""
 import dataclasses
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -23,9 +27,10 @@ import finder_export
 import safetensors
 import train_finder
 from finder_measure import hand_of, iou, scores_of_net
-from finder_pictures import HAND, Pictures
+from finder_pictures import HAND, OBJECT, REST_OR_ARM, Pictures, with_print
 
-RECIPE = train_finder.Recipe(layers="5x8/2 3x16/2 3x16 3x8+0 1x4", pictures=2400, batch=16, rate=5e-3)
+PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+RECIPE = train_finder.Recipe(layers="5x8/2 3x16/2 3x16 3x8+0 1x4", pictures=6400, batch=16, rate=5e-3)
 SKIN, SLEEVE, SLEEVE_LABEL = (12600, 18200, 30800, 65535), (14400, 10800, 4800, 65535), 4
 
 
@@ -81,6 +86,40 @@ class Finder(unittest.TestCase):
         whole = finder_export.integer_scores(tensors, metadata, self.unseen["picture"])
         self.assertGreater((floats.argmax(1) == whole.argmax(1)).float().mean().item(), 0.98)
         self.assertGreater(self.agreement(whole), self.agreement(floats) - 0.01)
+
+    def test_the_program_finds_what_the_trainer_finds(self):
+        pictures = self.unseen["picture"]
+        tensors, metadata = finder_export.export(
+            self.trainer.net, torch.as_tensor(pictures).permute(0, 3, 1, 2).float() / 255, {})
+        weights, frames, masks = self.path / "w.safetensors", self.path / "frames", self.path / "masks"
+        safetensors.write(weights, tensors, metadata)
+        frames.mkdir()
+        for number, picture in enumerate(pictures):
+            cv2.imwrite(str(frames / f"{number}.png"), picture)
+        subprocess.run([PROGRAM, "find", frames, "--still", "--finder", weights, "--out", masks], check=True,
+                       capture_output=True)
+        scores, within = finder_export.integer_scores(tensors, metadata, pictures), []
+        for number, classes in enumerate(self.unseen["classes"]):
+            found = cv2.imread(str(masks / f"{number}.png"), cv2.IMREAD_GRAYSCALE) > 0
+            if (classes == HAND).sum() > 400:  # one of two hands may be the one that is found
+                within.append((found & hand_of(scores[number], classes.shape)).sum() / max(found.sum(), 1))
+        self.assertGreater(len(within), 20)
+        self.assertGreater(numpy.mean(within), 0.9)
+
+    def test_a_print_is_on_the_object_alone(self):
+        rng, light = numpy.random.default_rng(1), numpy.full((120, 160, 3), 0.5, numpy.float32)
+        shown = numpy.zeros((120, 160), bool)
+        shown[40:80, 50:90] = True
+        printed = with_print(light, shown, rng)
+        self.assertTrue((printed[~shown] == light[~shown]).all())
+        self.assertTrue((printed[shown] != light[shown]).any(axis=-1).all())
+
+    def test_frames_of_sequences_leave_open_what_is_sleeve(self):
+        frame, labels = self.path / "frame.png", self.path / "frame_labels.png"
+        cv2.imwrite(str(frame), numpy.full((240, 320, 3), 90, numpy.uint8))
+        cv2.imwrite(str(labels), numpy.repeat(numpy.arange(4, dtype=numpy.uint8), 60)[:, None] + numpy.zeros((1, 320), numpy.uint8))
+        _, classes = Pictures([], [(frame, labels)]).draw_frame(numpy.random.default_rng(2))
+        self.assertEqual(set(numpy.unique(classes)) - {HAND, OBJECT}, {REST_OR_ARM})
 
     def test_a_picture_depends_on_its_number_alone(self):
         again = next(self.maker.batches(48, 1000, 1))
