@@ -24,8 +24,8 @@ constexpr std::array<NamedRule, 2> kSkinRules = {
 // A check of CLI11: an empty answer says that all is well.
 std::string check_finder(const std::string& finder) {
   if (std::ranges::find(kSkinRules, finder, &NamedRule::first) != kSkinRules.end()) return "";
-  if (finder.ends_with(".safetensors") || std::filesystem::exists(finder_file(finder))) return "";
-  return finder + ": neither redness nor box nor a learned finder's name or file";
+  if (finder.ends_with(".safetensors")) return "";
+  return finder + ": neither redness nor box nor a file of weights (.safetensors)";
 }
 
 }  // namespace
@@ -38,9 +38,7 @@ std::optional<Box> FinderSettings::box() const {
 FinderOptions FinderSettings::options() const {
   const auto known = std::ranges::find(kSkinRules, finder, &NamedRule::first);
   if (known != kSkinRules.end()) return {.net = nullptr, .skin = {.rule = known->second}};
-  const bool is_file = finder.ends_with(".safetensors");
-  return {.net = std::make_shared<HandFinder>(
-              HandFinder::load(is_file ? std::filesystem::path(finder) : finder_file(finder)))};
+  return {.net = std::make_shared<HandFinder>(HandFinder::load(finder))};
 }
 
 CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings) {

@@ -72,11 +72,18 @@ SequenceFrames SequenceSet::frames(const SequenceRenderer& renderer) const {
   return photoreal_frames(renderer, options_.photoreal, kind, finder_);
 }
 
+// Null when no hand is found.
+nlohmann::json SequenceSet::finder_json() const {
+  if (options_.photoreal.empty() || options_.true_masks) return {};
+  if (!finder_.net) return {{"name", options_.finder.finder}};
+  return {{"name", options_.finder.finder}, {"weights", finder_.net->hash()}};
+}
+
 nlohmann::json SequenceSet::json() const {
   nlohmann::json left_out = nlohmann::json::array();
   for (const auto& [name, why] : left_out_) left_out.push_back({{"sequence", name}, {"why", why}});
   return {{"fps", options_.fps ? nlohmann::json(*options_.fps) : nlohmann::json()},
-          {"finder", options_.finder.finder},
+          {"finder", finder_json()},
           {"hand", options_.hand},
           {"grasps", options_.grasps},
           {"left_out", std::move(left_out)}};

@@ -43,10 +43,12 @@ class SequenceSet {
   std::optional<SequenceRenderer> renderer(const SequenceSpec& spec);
   SequenceFrames frames(const SequenceRenderer& renderer) const;
 
-  // fps, hand and grasps as they were given; left_out: [{sequence, why}].
+  // finder: {name, weights}, null when masks are true ones; fps, hand and grasps as they were
+  // given; left_out: [{sequence, why}].
   nlohmann::json json() const;
 
  private:
+  nlohmann::json finder_json() const;
   std::optional<SequenceRenderer> leave_out(const std::string& name, const std::string& why);
 
   SequenceSetOptions options_;

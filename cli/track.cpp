@@ -86,7 +86,6 @@ class Run {
     tell_what_is_lacking(database_);
     if (source_->unrelated() && !options.still)
       fmt::print(stderr, "photographs: each is read by itself, as --still has it\n");
-    if (camera_.distorted()) log_.warn("the camera's lens bends lines, which is not undone");
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
     if (video_ || options.show) answer_.emplace(database_);
   }
@@ -104,6 +103,7 @@ class Run {
     require_frames(*source_, options_.input, done);
     progress(done, done);
     for (const std::string& warning : source_->warnings()) log_.warn(warning);
+    if (camera_.distorted()) log_.warn("the camera's lens bends lines, which is not undone");
     if (!any_hand()) {
       log_.warn(fmt::format("no hand in any of {} frames ({} show something that resembles no row)",
                             done, statistics_.seen));

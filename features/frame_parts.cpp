@@ -106,13 +106,11 @@ std::vector<Piece> pieces_of(const FrameParts& parts, const Box& roi) {
 }
 
 // An object that is not known for one cuts pieces off, too. They are no further away than a hand is
-// long, of which the largest piece may show but half; and no hand has two arms.
-constexpr double kFurthestPiece = 2;  // in square roots of the largest piece's cells
+// long, of which its first piece may show but half; and no hand has two arms.
+constexpr double kFurthestPiece = 2;  // in square roots of the first piece's cells
 
-bool belongs(const Piece& piece, const Piece& hand) {
-  const bool two_arms =
-      !is_empty(piece.arms) && !is_empty(hand.arms) && !touch(piece.arms, hand.arms);
-  return !two_arms && gap_between(piece.box, hand.box) <= kFurthestPiece * std::sqrt(hand.hand);
+bool have_two_arms(const Piece& a, const Piece& b) {
+  return !is_empty(a.arms) && !is_empty(b.arms) && !touch(a.arms, b.arms);
 }
 
 void join(const Piece& piece, Piece& hand) {
@@ -128,8 +126,10 @@ std::optional<FrameParts> largest_hand(const FrameParts& parts, int min_cells,
   std::vector<Piece> pieces = pieces_of(parts, cells_in(roi.value_or(parts.window), parts));
   if (pieces.empty() || pieces.front().hand_in_roi == 0) return std::nullopt;
   Piece& hand = pieces.front();
+  const double furthest = kFurthestPiece * std::sqrt(hand.hand);
   for (std::size_t i = 1; i < pieces.size(); ++i) {
-    if (belongs(pieces[i], hand)) join(pieces[i], hand);
+    const bool is_near = gap_between(pieces[i].box, hand.box) <= furthest;
+    if (is_near && !have_two_arms(pieces[i], hand)) join(pieces[i], hand);
   }
   if (hand.hand < min_cells) return std::nullopt;
   FrameParts result = parts;

@@ -11,8 +11,8 @@ namespace graspdb {
 constexpr std::uint8_t kLikeAnyOther = 128;  // in PartCells: the part as much as another
 
 // The hand of which most is seen within `roi`. What a held object cuts off belongs to it, and so
-// do other pieces nearby that have no arm of their own. Cells of all parts that are not its own are
-// 0 afterwards. None when no hand has so many cells.
+// do other pieces nearby, unless both have arms that do not touch. Cells of all parts that are not
+// its own are 0 afterwards. None when no hand has so many cells.
 std::optional<FrameParts> largest_hand(const FrameParts& parts, int min_cells,
                                        const std::optional<Box>& roi);
 

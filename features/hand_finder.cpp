@@ -10,7 +10,6 @@
 #include "finder_net.h"
 #include "frame_parts.h"
 #include "graspdb/core/error.h"
-#include "graspdb/core/file.h"
 #include "graspdb/core/opencv/opencv_image.h"
 
 namespace graspdb {
@@ -129,6 +128,14 @@ FoundHand found_in(const FrameParts& parts, const ColorImage& frame) {
 
 constexpr int kLeastCells = 12;  // fewer show no hand
 
+// At the same hand in another window; what was seen stays when it is not seen there.
+void look_closer(const HandFinder& finder, const ColorImage& frame, const Box& window,
+                 FrameParts& parts) {
+  std::optional<FrameParts> closer =
+      largest_hand(finder.look(frame, window), kLeastCells, hand_box(parts));
+  if (closer) parts = std::move(*closer);
+}
+
 }  // namespace
 
 struct HandFinder::State {
@@ -183,20 +190,17 @@ std::optional<FoundHand> HandFinder::find(const ColorImage& frame,
   std::optional<FrameParts> parts = largest_hand(look(frame, whole), kLeastCells, roi);
   if (!parts) return std::nullopt;
   const Box near = around(hand_box(*parts), frame);
-  if (shrink_factor(near) < shrink_factor(whole))
-    parts = largest_hand(look(frame, near), kLeastCells, roi);
-  if (!parts) return std::nullopt;
+  if (shrink_factor(near) < shrink_factor(whole)) look_closer(*this, frame, near, *parts);
   return found_in(*parts, frame);
 }
 
 std::optional<FoundHand> HandFinder::find_again(const ColorImage& frame, const Box& last) const {
+  GRASPDB_CHECK(last.x + last.width <= frame.width() && last.y + last.height <= frame.height());
   const Box window = around(last, frame);
   std::optional<FrameParts> parts = largest_hand(look(frame, window), kLeastCells, last);
   if (!parts) return std::nullopt;
   const Box now = hand_box(*parts), next = around(now, frame);
-  if (reaches_edge(now, window) && next != window)
-    parts = largest_hand(look(frame, next), kLeastCells, now);
-  if (!parts) return std::nullopt;
+  if (reaches_edge(now, window) && next != window) look_closer(*this, frame, next, *parts);
   return found_in(*parts, frame);
 }
 
@@ -206,10 +210,6 @@ FoundHand find_hand(const ColorImage& frame, const std::optional<Box>& roi,
   if (options.net) return options.net->find(frame, roi).value_or(FoundHand{nothing, nothing});
   const std::optional<Mask> region = find_region(frame, roi, options.skin);
   return region ? split_hand(*region) : FoundHand{nothing, nothing};
-}
-
-std::filesystem::path finder_file(const std::string& name) {
-  return data_directory() / "assets" / "finders" / (name + ".safetensors");
 }
 
 }  // namespace graspdb

@@ -17,6 +17,11 @@ double pixels(const FoundHand& found) {
   return static_cast<double>(std::count(found.hand.begin(), found.hand.end(), 255));
 }
 
+// Of a video whose pictures have had another size nothing is known.
+bool is_within(const Box& box, const ColorImage& frame) {
+  return box.x + box.width <= frame.width() && box.y + box.height <= frame.height();
+}
+
 }  // namespace
 
 HandFollower::HandFollower(FinderOptions options, std::optional<Box> roi)
@@ -27,6 +32,7 @@ void HandFollower::forget() {
 }
 
 std::optional<FoundHand> HandFollower::follow(const ColorImage& frame) {
+  if (last_ && !is_within(*last_, frame)) forget();
   std::optional<FoundHand> again;
   if (last_) again = options_.net->find_again(frame, *last_);
   const bool shrunk = again && pixels(*again) < kSuddenly * last_px_;

@@ -154,9 +154,4 @@ std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box
   return factor == 1 ? *region : resized(*region, frame.width(), frame.height());
 }
 
-Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi, const SkinOptions& options) {
-  const std::optional<Mask> region = find_region(frame, roi, options);
-  return region ? isolate_hand(*region) : Mask(frame.width(), frame.height());
-}
-
 }  // namespace graspdb

@@ -24,18 +24,20 @@ PLACES = {
     "kept": (5, 10, 20, 50, 100, 200, 400),
     "sigma_hog": (0.04, 0.06, 0.08, 0.11, 0.15, 0.2, 0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0),
     "sigma_stretch": (0.1, 0.15, 0.2, 0.3, 0.5, 1.0),
+    "sigma_arm_deg": (15, 20, 30, 45, 60, 90, 1000),
     "sigma_pose": (0.2, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4),
     "bandwidth": (0.2, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4),
     "merge_deg": (0, 10, 20, 30, 40, 50, 60),
 }
-SINGLE_FRAME = ("neighbours", "roll_deg", "sigma_hog", "sigma_stretch", "merge_deg")
+SINGLE_FRAME = ("neighbours", "roll_deg", "sigma_hog", "sigma_stretch", "sigma_arm_deg", "merge_deg")
 OPTIONS = {  # those that a model reads
     "none": SINGLE_FRAME,
     "gaussian": SINGLE_FRAME + ("sigma_pose",),
     "kde": SINGLE_FRAME + ("kept", "bandwidth"),
     "successors": SINGLE_FRAME + ("kept", "bandwidth"),
 }
-START = {"neighbours": 50, "roll_deg": 0, "kept": 20, "sigma_hog": 1.0, "sigma_stretch": 0.2, "sigma_pose": 0.35,
+ARM_DEG = 30  # hardly any arm is seen in rendered sequences: chosen on photoreal ones
+START = {"neighbours": 50, "roll_deg": 0, "kept": 20, "sigma_hog": 1.0, "sigma_stretch": 0.2, "sigma_arm_deg": ARM_DEG, "sigma_pose": 0.35,
          "bandwidth": 0.35, "merge_deg": 0}
 START_OF_CODES = {**START, "neighbours": 400, "roll_deg": 40, "kept": 100, "sigma_hog": 0.2, "sigma_stretch": 0.5,
                   "sigma_pose": 0.7, "bandwidth": 0.7, "merge_deg": 50}  # learned descriptors

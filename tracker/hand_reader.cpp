@@ -11,6 +11,12 @@
 namespace graspdb {
 namespace {
 
+void add_times(const StageTimes& more, StageTimes& ms) {
+  ms.describe += more.describe;
+  ms.search += more.search;
+  ms.temporal += more.temporal;
+}
+
 TrackerOptions tracker_options(const Database& database, const ReaderOptions& options) {
   return options.tracker.value_or(tuned_options(TemporalModel::kKde, descriptor_kind(database)));
 }
@@ -84,11 +90,14 @@ Estimate HandReader::read_as(bool left, const Observation& seen) {
 }
 
 Estimate HandReader::read_as_either(const Observation& seen) {
+  if (is_empty(seen.hand)) *evidence_ = HandednessEvidence(options_.still);  // another may come
   if (evidence_->firm()) return read_as(evidence_->left(), seen);
   Estimate right = read_as(false, seen), left = read_as(true, seen);
   if (right.no_answer != NoAnswer::kNoHand && left.no_answer != NoAnswer::kNoHand)
     evidence_->add(right.distance, left.distance);
-  return evidence_->left() ? left : right;
+  Estimate& answer = evidence_->left() ? left : right;
+  add_times(evidence_->left() ? right.ms : left.ms, answer.ms);
+  return std::move(answer);
 }
 
 Estimate HandReader::read(const Observation& seen) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <opencv2/core.hpp>
@@ -48,7 +49,8 @@ CameraCalibration of_matrix(const std::vector<double>& k, const fs::path& file) 
   if (k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1)
     refuse(file, "camera matrix", "fx, s, cx; 0, fy, cy; 0, 0, 1",
            fmt::format("{}", fmt::join(k, ", ")));
-  return {{.fx = k[0], .fy = k[4], .cx = k[2], .cy = k[5]}, k[1] != 0};
+  if (k[1] != 0) refuse(file, "camera matrix", "no skew", fmt::format("{}", k[1]));
+  return {{.fx = k[0], .fy = k[4], .cx = k[2], .cy = k[5]}};
 }
 
 cv::FileNode first_of(const cv::FileStorage& storage, std::initializer_list<const char*> names) {
@@ -58,32 +60,41 @@ cv::FileNode first_of(const cv::FileStorage& storage, std::initializer_list<cons
   return {};
 }
 
-// Row by row; empty for a node that is no matrix.
-std::vector<double> numbers_of(const cv::FileNode& node) {
-  if (!node.isMap()) return {};
+// Of a matrix row by row, or a list; none for an entry that is not there.
+std::vector<double> numbers_of(const cv::FileNode& node, const fs::path& file) {
+  if (node.empty()) return {};
   cv::Mat matrix;
-  node >> matrix;
+  if (node.isMap()) node >> matrix;
+  if (node.isSeq()) {
+    std::vector<double> list;
+    node >> list;
+    return list;
+  }
+  if (matrix.empty() || matrix.channels() != 1)
+    refuse(file, node.name(), "a matrix of numbers", "something else");
   matrix.convertTo(matrix, CV_64F);
   return {matrix.begin<double>(), matrix.end<double>()};
 }
 
-int side_of(const cv::FileNode& node) {
-  return node.isInt() ? static_cast<int>(node) : 0;
+// 0 for an entry that is not there.
+int side_of(const cv::FileNode& node, const fs::path& file) {
+  if (!node.empty() && !node.isInt()) refuse(file, node.name(), "a whole number", "something else");
+  return node.empty() ? 0 : static_cast<int>(node);
 }
 
 CameraCalibration read_opencv(const std::string& text, const fs::path& file) {
   const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
   const std::vector<double> matrix =
-      numbers_of(first_of(storage, {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K"}));
+      numbers_of(first_of(storage, {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K"}), file);
   if (matrix.size() != 9)
     refuse(file, "camera_matrix", "a matrix of 3 x 3", fmt::format("{} numbers", matrix.size()));
   CameraCalibration read = of_matrix(matrix, file);
-  read.camera.width = side_of(first_of(storage, {"image_width", "image_Width"}));
-  read.camera.height = side_of(first_of(storage, {"image_height", "image_Height"}));
+  read.camera.width = side_of(first_of(storage, {"image_width", "image_Width"}), file);
+  read.camera.height = side_of(first_of(storage, {"image_height", "image_Height"}), file);
   const std::vector<double> bends = numbers_of(
-      first_of(storage, {"distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "D"}));
-  read.distorted =
-      read.distorted || std::ranges::any_of(bends, [](double bend) { return bend != 0; });
+      first_of(storage, {"distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "D"}),
+      file);
+  read.distorted = std::ranges::any_of(bends, [](double bend) { return bend != 0; });
   return read;
 }
 
@@ -109,7 +120,8 @@ CameraCalibration read_colmap(const std::string& line, const fs::path& file) {
     refuse(file, name, "a pinhole of COLMAP, such as PINHOLE or OPENCV", line);
   std::vector<double> parameters(static_cast<std::size_t>(model->focal_lengths + 2 + model->bends));
   for (double& parameter : parameters) words >> parameter;
-  if (!words) refuse(file, name, fmt::format("{} parameters", parameters.size()), line);
+  if (!words || !(words >> std::ws).eof())
+    refuse(file, name, fmt::format("{} parameters", parameters.size()), line);
   const auto at = [&](int i) { return parameters[static_cast<std::size_t>(i)]; };
   read.camera.fx = at(0);
   read.camera.fy = at(model->focal_lengths - 1);
@@ -137,8 +149,12 @@ std::vector<double> numbers_of(std::vector<std::string> lines) {
   for (std::string& line : lines) {
     std::ranges::replace(line, ',', ' ');
     std::istringstream words(line);
-    for (double number = 0; words >> number;) numbers.push_back(number);
-    if (!words.eof()) return {};
+    for (std::string word; words >> word;) {
+      double number = 0;
+      const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
+      if (fault != std::errc() || end != word.data() + word.size()) return {};
+      numbers.push_back(number);
+    }
   }
   return numbers;
 }

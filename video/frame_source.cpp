@@ -73,7 +73,7 @@ bool count_up(const std::vector<fs::path>& files) {
     const std::string stem = file.stem().string();
     const auto digits = std::find_if_not(stem.rbegin(), stem.rend(), is_digit).base();
     std::int64_t number = -1;
-    std::from_chars(&*digits, stem.data() + stem.size(), number);
+    std::from_chars(stem.data() + (digits - stem.begin()), stem.data() + stem.size(), number);
     const std::string text(stem.begin(), digits);
     if (number < 0 || (last && *last != std::pair(text, number - 1))) return false;
     last = {text, number};
@@ -100,7 +100,7 @@ Mask find_mask(const fs::path& folder, const fs::path& frame, const ColorImage& 
 class Pictures : public FrameSource {
  public:
   Pictures(std::vector<fs::path> files, fs::path masks)
-      : files_(std::move(files)), masks_(std::move(masks)) {}
+      : files_(std::move(files)), masks_(std::move(masks)), count_up_(count_up(files_)) {}
   // A rendered sequence: frames, noisy masks unless others are given, camera and truth.
   Pictures(WrittenSequence sequence, const fs::path& masks)
       : Pictures(pictures_of(sequence.directory / "frames"),
@@ -130,12 +130,13 @@ class Pictures : public FrameSource {
     return sequence_ ? sequence_->frames_per_second : 10;
   }
   std::optional<std::size_t> count() const override { return files_.size(); }
-  bool unrelated() const override { return !sequence_ && !count_up(files_); }
+  bool unrelated() const override { return !sequence_ && !count_up_; }
   const WrittenSequence* sequence() const override { return sequence_ ? &*sequence_ : nullptr; }
 
  private:
   std::vector<fs::path> files_;
   fs::path masks_;
+  bool count_up_;
   std::optional<WrittenSequence> sequence_;
   std::size_t next_ = 0;
 };

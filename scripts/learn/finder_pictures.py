@@ -19,6 +19,7 @@ SMALLEST_CROP = 0.4
 OTHER_ROOM = 0.7
 FRAMES = 0.2  # of the pictures, when there are any
 PRINTED = 0.6  # of the objects
+BEHIND, BEFORE = 1.0, 0.25  # drawn things: how many lie behind the hands, and share of pictures with one before a hand
 
 
 def middle(mask):
@@ -58,9 +59,14 @@ class Pictures:
         room = rng.integers(len(self.rooms)) if rng.random() < OTHER_ROOM else self.room_of[first]
         light = light_of(taken(self.rooms[room], crop(rng)))
         classes = np.zeros((HEIGHT, WIDTH), np.uint8)
+        for _ in range(rng.poisson(BEHIND)):
+            light, _ = with_thing(light, rng.uniform((0, 0), (HEIGHT, WIDTH)), rng)
         for number in range(rng.choice(len(HANDS), p=HANDS)):
             front = rng.integers(len(self.fronts)) if number else first
             light, classes = self.with_hand(light, classes, front, rng)
+        if (classes == HAND).any() and rng.random() < BEFORE:
+            light, shown = with_thing(light, rng.permutation(np.argwhere(classes == HAND))[0], rng)
+            classes = np.where(shown, OBJECT, classes).astype(np.uint8)
         return photographed(light, rng), classes
 
     def draw_frame(self, rng):
@@ -100,6 +106,8 @@ def with_print(light, shown, rng):
     grey = light.mean(axis=2)
     shade = np.clip(grey / max(grey[shown].mean(), 1e-3), 0, 3)[:, :, None]
     albedo = np.exp(rng.uniform(-2.5, 0.3, (3, 3))).astype(np.float32)
+    if rng.random() < 0.5:  # a label of greys
+        albedo[1:] = albedo[1:].mean(axis=1, keepdims=True)
     rows, columns = np.nonzero(shown)
     middle_row, middle_column = rows[(k := rng.integers(len(rows)))], columns[k]
     turn = rng.uniform(0, np.pi)
@@ -108,6 +116,18 @@ def with_print(light, shown, rng):
     label = along & (np.abs(np.cos(turn) * down - np.sin(turn) * across) < rng.uniform(3, 60))
     color = np.where((label & pattern(rng))[:, :, None], albedo[2], np.where(label[:, :, None], albedo[1], albedo[0]))
     return np.where(shown[:, :, None], shade * color, light)
+
+
+def with_thing(light, place, rng):
+    """A block or a disc with a print, lit from one side; and where it shows. `place`: its middle, row and column."""
+    turn, sides = rng.uniform(0, np.pi), np.exp(rng.uniform(np.log(6), np.log(60), 2))
+    down, across = np.mgrid[:HEIGHT, :WIDTH] - np.asarray(place)[:, None, None]
+    along = (np.cos(turn) * across + np.sin(turn) * down) / sides[0]
+    beside = (np.cos(turn) * down - np.sin(turn) * across) / sides[1]
+    shown = along**2 + beside**2 < 1 if rng.random() < 0.4 else np.maximum(abs(along), abs(beside)) < 1
+    shade = np.exp(rng.normal(0, 0.5) * along + rng.normal(0, 0.5) * beside).clip(0.2, 3).astype(np.float32)
+    plain = np.where(shown[:, :, None], shade[:, :, None] * light.mean(), light)
+    return with_print(plain, shown, rng), shown
 
 
 def light_of(bytes_):

@@ -212,10 +212,13 @@ TEST_F(Eval, PhotorealFramesAreEvaluatedAloneAndSaySo) {
   const json report = json::parse(read_text(path("photo-out/eval.json")));
   EXPECT_EQ(report["kind"], "photoreal");
   ASSERT_EQ(report["rows"].size(), 4U);  // the models; the other sequence has no frames
-  EXPECT_GT(report["rows"][0]["segmentation_iou"], 0.9);
+  EXPECT_GT(report["rows"][0]["segmentation_iou"], 0.75);  // an arm within the frame is not cut
+  EXPECT_EQ(report["rows"][0]["missed_hands"], 0);
+  EXPECT_GT(report["rows"][0]["wrist_cut_mm"], 0);
+  EXPECT_EQ(report["finder"], nlohmann::json({{"name", "redness"}}));
   for (const char* file : {"photo-out/runs.csv", "photo-out/frames.csv"})
     EXPECT_EQ(read_csv(path(file))[0].at("kind"), "photoreal");
-  EXPECT_GT(std::stod(read_csv(path("photo-out/runs.csv"))[0].at("segmentation_iou")), 0.9);
+  EXPECT_GT(std::stod(read_csv(path("photo-out/runs.csv"))[0].at("segmentation_iou")), 0.75);
 
   const Outcome true_masks = run_program(eval + " --true-masks");
   ASSERT_EQ(true_masks.code, 0) << true_masks.err;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "graspdb/features/hand_finder.h"
 #include "graspdb/features/segmentation.h"
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/sequence.h"
@@ -34,7 +35,7 @@ class Find : public ::testing::Test {
       const ColorImage color = renderer.render(i).color;
       const std::string name = "hand" + std::to_string(i) + ".png";
       write_png(directory_ / ("frames/" + name), color);
-      found_.push_back(find_hand(color));
+      found_.push_back(find_hand(color).hand);
       write_png(directory_ / ("truth/" + name), found_.back());
     }
   }

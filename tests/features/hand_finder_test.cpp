@@ -221,7 +221,7 @@ TEST(HandFinder, TellsTheArmThatTouchesTheHand) {
 
 TEST(HandFinder, LooksAtASmallHandOnceMore) {
   ColorImage frame(640, 480);
-  const Box fine{301, 203, 61, 83};  // no multiple of 5, the factor of the whole frame
+  const Box fine{301, 203, 61, 83};  // no multiples of 4, the factor of the whole frame
   paint(frame, fine, kRed);
   const auto found = color_finder().find(frame);
   ASSERT_TRUE(found);

@@ -73,6 +73,14 @@ TEST(HandFollower, BeginsAgainAfterItForgets) {
   EXPECT_EQ(next(follow, {kMine, kLarger}), kLarger);
 }
 
+TEST(HandFollower, BeginsAgainInPicturesOfAnotherSize) {
+  HandFollower follow = follower();
+  EXPECT_EQ(next(follow, {{500, 300, 72, 96}})->x, 500);
+  ColorImage small(320, 240);
+  paint(small, {40, 50, 60, 80}, kRed);
+  EXPECT_EQ(tight_box(follow.next(small).hand), (Box{40, 50, 60, 80}));
+}
+
 TEST(HandFollower, TheRegionAskedForDecidesWhichHandIsFollowed) {
   HandFollower follow = follower(Box{80, 180, 100, 100});
   EXPECT_EQ(next(follow, {kMine, kLarger}), kMine);

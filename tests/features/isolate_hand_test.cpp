@@ -6,6 +6,7 @@
 
 #include "features/pictures.h"
 #include "graspdb/core/random.h"
+#include "graspdb/features/hand_finder.h"
 #include "graspdb/features/segmentation.h"
 
 namespace graspdb {
@@ -177,7 +178,7 @@ TEST(FindRegion, RoiAndLeastAreaAreInTheFramesPixels) {
 }
 
 TEST(FindHand, SkinBeforeAWallIsFound) {
-  const Mask hand = find_hand(painted(palm_and_arm(), kSkin));
+  const Mask hand = find_hand(painted(palm_and_arm(), kSkin)).hand;
   EXPECT_EQ(hand.at(160, 90), 255);
   EXPECT_GT(area(hand), 5000);
 }
@@ -188,14 +189,14 @@ TEST(FindHand, APatchOfOneTintIsNoHand) {
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (mask.data()[i] != 0) frame.data()[i] = kSkin;
   }
-  EXPECT_EQ(area(find_hand(frame)), 0);
+  EXPECT_EQ(area(find_hand(frame).hand), 0);
 }
 
 TEST(FindHand, AWallAloneAndOtherColorsAreNoHand) {
-  EXPECT_EQ(area(find_hand(ColorImage(kWidth, kHeight, kWall))), 0);
+  EXPECT_EQ(area(find_hand(ColorImage(kWidth, kHeight, kWall)).hand), 0);
   const Bgr magenta = {200, 80, 200}, green = {60, 180, 60};
-  EXPECT_EQ(area(find_hand(painted(palm_and_arm(), magenta))), 0);
-  EXPECT_EQ(area(find_hand(painted(palm_and_arm(), green))), 0);
+  EXPECT_EQ(area(find_hand(painted(palm_and_arm(), magenta)).hand), 0);
+  EXPECT_EQ(area(find_hand(painted(palm_and_arm(), green)).hand), 0);
 }
 
 TEST(FindHand, ARegionOfManyReddishTonesIsNoHand) {
@@ -210,7 +211,7 @@ TEST(FindHand, ARegionOfManyReddishTonesIsNoHand) {
                         static_cast<std::uint8_t>(kSkin[2] + redder)};
     }
   }
-  EXPECT_EQ(area(find_hand(frame)), 0);
+  EXPECT_EQ(area(find_hand(frame).hand), 0);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ import tune
 
 TRACKER = Path(__file__).resolve().parents[2] / "tracker"
 WRITTEN = [TRACKER / "tuned_for_hogs.cpp", TRACKER / "tuned_for_codes.cpp"]
-LEAST = {"neighbours": 200, "roll_deg": 30, "kept": 100, "sigma_hog": 0.7, "sigma_stretch": 0.5, "sigma_pose": 0.25,
+LEAST = {"neighbours": 200, "roll_deg": 30, "kept": 100, "sigma_hog": 0.7, "sigma_stretch": 0.5, "sigma_arm_deg": 60, "sigma_pose": 0.25,
          "bandwidth": 0.7, "merge_deg": 20}
 
 

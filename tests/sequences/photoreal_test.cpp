@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "graspdb/core/error.h"
+#include "graspdb/features/hand_finder.h"
 #include "graspdb/features/hog.h"
 #include "graspdb/features/segmentation.h"
 #include "graspdb/renderer/image_io.h"
@@ -72,7 +73,7 @@ TEST_F(Photoreal, TheHandIsTheOneThatItsColorTells) {
   const SequenceFrames photos = frames();
   EXPECT_EQ(photos.kind, FrameKind::kPhotoreal);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Mask found = find_hand(read_color(frame(static_cast<int>(i))));
+    const Mask found = find_hand(read_color(frame(static_cast<int>(i)))).hand;
     EXPECT_EQ(isolate_hand(photos.hand[i]), found);  // as evaluate() does without noise
     EXPECT_GT(photos.found[i].iou, 0.75);  // an arm that does not reach the border is not cut
     EXPECT_LT(photos.found[i].iou, 1);     // it is not the true mask

@@ -63,7 +63,7 @@ TEST_F(Reader, AFrameAndItsMaskAreReadAsItsHalvesAre) {
 TEST_F(Reader, WithoutAMaskTheHandIsFoundByItsColor) {
   const Frame frame(100);
   const Estimate estimate = reader().read(frame.color, kFrameCamera);
-  EXPECT_EQ(estimate.hand, find_hand(frame.color));
+  EXPECT_EQ(estimate.hand, find_hand(frame.color).hand);
   EXPECT_TRUE(estimate.valid);
 }
 
@@ -112,6 +112,11 @@ TEST_F(Reader, RightAndLeftAreToldByTheNearestRow) {
   EXPECT_EQ(both.read(left).row, 1u);
   both.forget();
   EXPECT_FALSE(both.read(right).left_hand);
+  for (int i = 0; i < 40; ++i) both.read(right);
+  EXPECT_FALSE(both.read(left).left_hand) << "firm";
+  both.read(Observation{right.gray, Mask(testing::kSide, testing::kSide), testing::kCamera});
+  for (int i = 0; i < 20; ++i) both.read(left);
+  EXPECT_TRUE(both.read(left).left_hand);
   HandReader still = reader({.handedness = Handedness::kAuto, .still = true});
   EXPECT_TRUE(still.read(left).left_hand);
 }

@@ -43,6 +43,10 @@ class CalibrationFile : public ::testing::Test {
   testing::TemporaryDirectory directory_;
 };
 
+const std::string kMatrix =
+    "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+    "   data: [ 500., 0., 310., 0., 510., 250., 0., 0., 1. ]\n";
+
 void expect_camera(const Intrinsics& camera, double fx, double fy, double cx, double cy) {
   EXPECT_DOUBLE_EQ(camera.fx, fx);
   EXPECT_DOUBLE_EQ(camera.fy, fy);
@@ -90,6 +94,12 @@ TEST_F(CalibrationFile, OfAnythingElseIsRefused) {
   expect_refused("nan 0 310 0 510 250 0 0 1", "");
   expect_refused("1 FISHEYE 640 480 1 2 3 4", "FISHEYE");
   expect_refused("1 PINHOLE 640 480 500 510 320", "4 parameters");
+  expect_refused("1 PINHOLE 640 480 500 510 320 240 .1 .2", "4 parameters");
+  expect_refused("500 0 310 0 510 250 0 0 1 -", "COLMAP");
+  expect_refused("500 3 310 0 510 250 0 0 1", "skew");
+  expect_refused(kMatrix + "image_width: 640.5\nimage_height: 480\n", "image_width");
+  expect_refused(kMatrix + "distortion_coefficients: bent\n", "distortion_coefficients");
+  EXPECT_TRUE(read(kMatrix + "distortion_coefficients: [ 0.1, 0.2 ]\n").distorted);
   expect_refused("1 PINHOLE 0 480 500 510 320 240", "size");
   expect_refused("1 PINHOLE 640 480 500 510 320 240\n2 PINHOLE 640 480 500 510 320 240", "2 lines");
   expect_refused("%YAML:1.0\n---\nimage_width: 640\n", "camera_matrix");

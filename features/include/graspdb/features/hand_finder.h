@@ -35,15 +35,15 @@ class HandFinder {
   HandFinder(HandFinder&&) noexcept;
   HandFinder& operator=(HandFinder&&) noexcept;
 
-  const std::string& hash() const;  // of the file
+  const std::string& hash() const;  // of the file: tells which finder it was
   // What the pixels in a window show, which lies within the frame and is not empty; it is looked at
-  // with some 20,000 pixels. The same bytes on every processor.
+  // with no more than 28,800 pixels. The same bytes on every processor.
   FrameParts look(const ColorImage& frame, const Box& window) const;
   // The hand of which most is seen within `roi`, when given, else in the frame; none when no hand
   // is seen. Two looks at most: at the frame, and at the hand alone when that shows more of it.
   std::optional<FoundHand> find(const ColorImage& frame, const std::optional<Box>& roi = {}) const;
-  // The hand of which most is seen where one was in the frame before: looks around that box alone,
-  // and once more when the hand has moved on.
+  // The hand of which most is seen where one was in the frame before, in a box within the frame:
+  // looks around that box alone, and once more when the hand has moved on.
   std::optional<FoundHand> find_again(const ColorImage& frame, const Box& last) const;
 
  private:
@@ -58,12 +58,9 @@ struct FinderOptions {
   SkinOptions skin;
 };
 
-// The hand in a frame.
-FoundHand find_hand(const ColorImage& frame, const std::optional<Box>& roi,
-                    const FinderOptions& options);
-
-// The file of a learned finder that has a name: assets/finders/NAME.safetensors in the data
-// directory.
-std::filesystem::path finder_file(const std::string& name);
+// The hand in a frame. By colour it is find_region() as split_hand() takes a mask's, but for
+// pieces: what is near a hand and of its colour is more often something else.
+FoundHand find_hand(const ColorImage& frame, const std::optional<Box>& roi = {},
+                    const FinderOptions& options = {});
 
 }  // namespace graspdb

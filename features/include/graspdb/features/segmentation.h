@@ -74,11 +74,6 @@ std::optional<Eigen::Vector2d> arm_direction(const FoundHand& found);
 std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi = {},
                                 const SkinOptions& options = {});
 
-// The hand in a frame: that region as isolate_hand takes a mask's. All 0 when there is none. Pieces
-// are not looked for: what is near a hand and of its colour is more often something else.
-Mask find_hand(const ColorImage& frame, const std::optional<Box>& roi = {},
-               const SkinOptions& options = {});
-
 // The mask with another number of pixels, cut at half.
 Mask resized(const Mask& mask, int width, int height);
 

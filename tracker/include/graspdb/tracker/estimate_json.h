@@ -16,7 +16,7 @@ struct FrameName {
   double time = 0;   // seconds
   std::string file;  // of a picture; empty for a video's and a camera's
   std::optional<Intrinsics> camera;
-  std::string camera_from;  // who says so: "guess", "EXIF", a file
+  std::string camera_from;  // "sequence", "calibration", "--focal", "EXIF" or "guess"
 };
 
 // A sentence; empty for an answer.

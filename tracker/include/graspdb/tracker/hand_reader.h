@@ -20,13 +20,13 @@ namespace graspdb {
 enum class Handedness {
   kRight,
   kLeft,
-  kAuto,  // both are tried, until frames have told
+  kAuto,  // both are tried until frames have told, and again after a frame without a hand
 };
 
 struct ReaderOptions {
   std::optional<TrackerOptions> tracker;  // absent: kde, as tuned for the database's rows
   FinderOptions finder;
-  std::optional<Box> roi;  // pixels; the hand is the largest of those that reach into it
+  std::optional<Box> roi;  // pixels; the hand that is followed begins in it
   Handedness handedness = Handedness::kRight;
   bool still = false;  // frames are photographs that have nothing to do with each other
 };
