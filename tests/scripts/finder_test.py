@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy
 
@@ -24,10 +25,11 @@ except ImportError:
     sys.exit(77)  # CTest's SKIP_RETURN_CODE
 
 import finder_export
+import finder_pictures
 import safetensors
 import train_finder
 from finder_measure import hand_of, iou, scores_of_net
-from finder_pictures import HAND, OBJECT, REST_OR_ARM, Pictures, with_print
+from finder_pictures import HAND, OBJECT, REST_OR_ARM, Pictures, with_print, with_thing
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 RECIPE = train_finder.Recipe(layers="5x8/2 3x16/2 3x16 3x8+0 1x4", pictures=6400, batch=16, rate=5e-3)
@@ -55,6 +57,7 @@ class Finder(unittest.TestCase):
         cls.path = pathlib.Path(cls.folder.name)
         for number in range(16):
             write_scene(cls.path / f"scenes/{number:06}", numpy.random.default_rng(number))
+        cls.enterClassContext(unittest.mock.patch.multiple(finder_pictures, BEHIND=0, BEFORE=0))
         cls.pictures = train_finder.PICTURES = Pictures([cls.path / "scenes"])
         cls.maker = train_finder.Maker(0)
         cls.trainer = train_finder.Trainer(RECIPE, "cpu")
@@ -113,6 +116,16 @@ class Finder(unittest.TestCase):
         printed = with_print(light, shown, rng)
         self.assertTrue((printed[~shown] == light[~shown]).all())
         self.assertTrue((printed[shown] != light[shown]).any(axis=-1).all())
+
+    def test_a_thing_lies_where_it_is_put_and_hides_a_part_of_the_hand(self):
+        light = numpy.full((120, 160, 3), 0.5, numpy.float32)
+        drawn, shown = with_thing(light, (30, 100), numpy.random.default_rng(3))
+        self.assertTrue(shown[30, 100])
+        self.assertTrue((drawn[~shown] == light[~shown]).all())
+        with unittest.mock.patch.multiple(finder_pictures, BEFORE=1):
+            hidden = [self.pictures.draw(numpy.random.default_rng(number))[1] for number in range(20)]
+        self.assertTrue(any((classes == OBJECT).any() for classes in hidden))  # no scene here holds one
+        self.assertFalse(any((classes == OBJECT).any() for classes in self.unseen["classes"]))
 
     def test_frames_of_sequences_leave_open_what_is_sleeve(self):
         frame, labels = self.path / "frame.png", self.path / "frame_labels.png"
