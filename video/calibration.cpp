@@ -24,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostPixels = 100'000;  // a side
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& key, const std::string& expected,
                          const std::string& found) {
@@ -178,6 +179,8 @@ bool is_opencv(const std::string& text) {
 
 CameraCalibration read_calibration(const fs::path& file) {
   const std::string text = read_text(file);
+  if (text.size() > kMostBytes)
+    refuse(file, "", "a calibration of at most 1 MiB", fmt::format("{} bytes", text.size()));
   if (!is_opencv(text)) return checked(read_plain(text, file), file);
   try {
     return checked(read_opencv(text, file), file);

@@ -79,7 +79,7 @@ class Pictures:
         window = crop(rng, self.places[number])
         front = taken(self.fronts[number], window)
         alpha = front[:, :, 3:].astype(np.float32) / 255
-        brightness = np.exp(rng.normal(0, 0.25))
+        brightness = np.exp(rng.normal(-0.1, 0.5))
         seen = taken(self.labels[number], window, cv2.INTER_NEAREST)
         own_light = light_of(front[:, :, :3])
         if rng.random() < PRINTED:
@@ -120,7 +120,7 @@ def with_print(light, shown, rng):
 
 def with_thing(light, place, rng):
     """A block or a disc with a print, lit from one side; and where it shows. `place`: its middle, row and column."""
-    turn, sides = rng.uniform(0, np.pi), np.exp(rng.uniform(np.log(6), np.log(60), 2))
+    turn, sides = rng.uniform(0, np.pi), np.exp(rng.uniform(np.log(6), np.log(110), 2))
     down, across = np.mgrid[:HEIGHT, :WIDTH] - np.asarray(place)[:, None, None]
     along = (np.cos(turn) * across + np.sin(turn) * down) / sides[0]
     beside = (np.cos(turn) * down - np.sin(turn) * across) / sides[1]

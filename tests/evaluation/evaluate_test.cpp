@@ -113,6 +113,30 @@ TEST_F(RowsAsFrames, TheTypeIsAskedForOnceTheHandIsClosed) {
   EXPECT_EQ(result.beyond_5_deg, 0);
 }
 
+TEST_F(RowsAsFrames, HowWellHandsAreFoundIsAMeanOverTheFramesWhereItApplies) {
+  SequenceFrames found = frames_;
+  found.found.assign(kFrames, {.iou = 1, .wrist_mm = 10});
+  found.found[0] = {.iou = 0, .missed = true};
+  found.found[1] = {.iou = 0, .imagined = true};
+  found.found[2] = {};  // neither shows a hand
+  const FindingMeans means = evaluated(found).found;
+  EXPECT_NEAR(means.iou, 12.0 / 14, 1e-12);
+  EXPECT_NEAR(means.missed, 1.0 / 13, 1e-12);
+  EXPECT_NEAR(means.imagined, 1.0 / 2, 1e-12);
+  EXPECT_EQ(means.wrist_mm, 10);
+  EXPECT_TRUE(std::isnan(evaluated(frames_).found.iou));
+}
+
+// A hand that ends at the wrist is not cut once more: its mask is taken as it is.
+TEST_F(RowsAsFrames, AHandThatIsFoundApartFromItsArmIsTakenAsItIs) {
+  SequenceFrames apart = frames_;
+  const Mask nothing(apart.camera.width, apart.camera.height);
+  apart.arm.assign(kFrames, nothing);
+  for (int x = 150; x < 170; ++x) apart.hand[4].at(x, 3) = 255;  // isolate_hand would drop it
+  const EvalRun run = evaluated(apart).runs[0];
+  EXPECT_GT(run.frames[4].box_height_px, evaluated(frames_).runs[0].frames[4].box_height_px + 20);
+}
+
 TEST_F(RowsAsFrames, AFrameWithoutAnAnswerCountsWithTheOneBefore) {
   SequenceFrames gap = frames_;
   gap.hand[6] = Mask(gap.camera.width, gap.camera.height);

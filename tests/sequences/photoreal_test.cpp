@@ -7,8 +7,10 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "features/color_finder.h"
 #include "graspdb/core/error.h"
 #include "graspdb/features/hand_finder.h"
+#include "graspdb/features/hand_follower.h"
 #include "graspdb/features/hog.h"
 #include "graspdb/features/segmentation.h"
 #include "graspdb/renderer/image_io.h"
@@ -79,6 +81,24 @@ TEST_F(Photoreal, TheHandIsTheOneThatItsColorTells) {
     EXPECT_LT(photos.found[i].iou, 1);     // it is not the true mask
     EXPECT_FALSE(photos.found[i].missed);
     EXPECT_EQ(photos.truth[i].joints, renderer_->truth(static_cast<int>(i)).joints);
+  }
+}
+
+TEST_F(Photoreal, ALearnedFinderFollowsTheHandAsInAVideo) {
+  write_own_frames(4);
+  const FinderOptions finder{.net = std::make_shared<HandFinder>(testing::color_finder())};
+  const SequenceFrames photos =
+      photoreal_frames(*renderer_, folder_.path(), FrameKind::kPhotoreal, finder);
+  HandFollower follower(finder);
+  ASSERT_EQ(photos.arm.size(), 4U);
+  for (int i = 0; i < 4; ++i) {
+    const FoundHand found = follower.next(read_color(frame(i)));
+    const auto at = static_cast<std::size_t>(i);
+    EXPECT_EQ(photos.hand[at], found.hand);
+    EXPECT_EQ(photos.arm[at], found.arm);
+    EXPECT_FALSE(photos.found[at].missed);
+    EXPECT_GT(photos.found[at].iou, 0.05);  // what is red or grey is hand to it
+    EXPECT_LT(photos.found[at].iou, 0.9);
   }
 }
 
