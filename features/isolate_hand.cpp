@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <opencv2/imgproc.hpp>
 
 #include "graspdb/core/error.h"
@@ -89,10 +90,14 @@ struct Middle {
 
 Middle middle_of(const Mask& mask) {
   Middle middle;
+  const auto width = static_cast<std::size_t>(mask.width());
   for (int y = 0; y < mask.height(); ++y) {
-    for (int x = 0; x < mask.width(); ++x) {
-      if (mask.at(x, y) == 0) continue;
-      middle.place += Eigen::Vector2d(x, y);
+    const std::uint8_t* row = mask.row(y);
+    const void* first = std::memchr(row, 255, width);  // most rows have none
+    if (first == nullptr) continue;
+    for (auto x = static_cast<const std::uint8_t*>(first) - row; x < mask.width(); ++x) {
+      if (row[x] == 0) continue;
+      middle.place += Eigen::Vector2d(static_cast<double>(x), y);
       ++middle.pixels;
     }
   }
