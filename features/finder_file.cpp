@@ -37,7 +37,7 @@ class FinderReader {
     }
     expect_no_more_tensors(file_, layers.size());
     if (results_.back().channels.count != kFramePartCount) {
-      refuse("layers", "4 outputs at the end", results_.back().channels.count);
+      refuse(file_, "layers", "4 outputs at the end", results_.back().channels.count);
     }
     net_.cell = std::size_t{1} << results_.back().halvings;
     net_.hash = hash_hex(file_.bytes());
@@ -50,11 +50,6 @@ class FinderReader {
     std::size_t halvings = 0;  // of the frame's size
   };
 
-  [[noreturn]] void refuse(const std::string& key, const std::string& expected,
-                           std::size_t found) const {
-    throw Error({file_.file(), key, expected, fmt::format("{}", found)});
-  }
-
   Result previous() const {
     const Result frame{.channels = {kColors, rounded_up(kColors, kInputQuad)}};
     return results_.empty() ? frame : results_.back();
@@ -64,7 +59,7 @@ class FinderReader {
     if (!entry.has("beside")) return std::nullopt;
     const auto number = static_cast<std::size_t>(entry.natural("beside"));
     if (number >= results_.size() || results_[number].halvings + 1 != previous().halvings) {
-      refuse("layers.beside", "an earlier layer whose result is twice as large", number);
+      refuse(file_, "layers.beside", "an earlier layer whose result is twice as large", number);
     }
     return number;
   }
@@ -82,10 +77,11 @@ class FinderReader {
       inputs.push_back(results_[*beside_layer].channels);
       --halvings;
     }
-    if (halvings > kMostHalvings) refuse("layers.stride", "sizes halved 5 times at most", halvings);
+    if (halvings > kMostHalvings)
+      refuse(file_, "layers.stride", "sizes halved 5 times at most", halvings);
     ReadLayer layer = read_layer(file_, place, inputs);
     if (layer.convolution.kernel != 2 * place.padding + 1) {
-      refuse(fmt::format("layer{}.weight", place.number),
+      refuse(file_, fmt::format("layer{}.weight", place.number),
              fmt::format("a kernel of {}", 2 * place.padding + 1), layer.convolution.kernel);
     }
     results_.push_back({channels_of(layer.outputs), halvings});

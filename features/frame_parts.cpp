@@ -16,7 +16,6 @@
 namespace graspdb {
 namespace {
 
-// Grown by a cell on all sides: pieces that are two cells apart touch.
 Mask cells_of(const FrameParts& parts, std::initializer_list<PartCells FrameParts::*> shown) {
   Mask cells(parts.hand.width(), parts.hand.height());
   for (const auto part : shown) {
@@ -25,6 +24,11 @@ Mask cells_of(const FrameParts& parts, std::initializer_list<PartCells FramePart
                              return like >= kLikeAnyOther ? std::uint8_t{255} : is;
                            });
   }
+  return cells;
+}
+
+// By a cell on all sides: pieces that are two cells apart touch.
+Mask grown(Mask cells) {
   cv::Mat image = as_mat(cells);
   cv::dilate(image, image, cv::Mat());
   return cells;
@@ -91,8 +95,8 @@ void count_hand(const FrameParts& parts, const Box& roi, Piece& piece) {
 
 // Those with some hand, the one with the most of it in `roi` first.
 std::vector<Piece> pieces_of(const FrameParts& parts, const Box& roi) {
-  const Mask held = cells_of(parts, {&FrameParts::hand, &FrameParts::object});
-  const Regions regions(held), arms(cells_of(parts, {&FrameParts::arm}));
+  const Mask held = grown(cells_of(parts, {&FrameParts::hand, &FrameParts::object}));
+  const Regions regions(held), arms(grown(cells_of(parts, {&FrameParts::arm})));
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < regions.all().size(); ++i) {
     Piece piece{painted_region(regions, i, held), {}, regions.all()[i].box};
@@ -140,11 +144,7 @@ std::optional<FrameParts> largest_hand(const FrameParts& parts, int min_cells,
 }
 
 Box hand_box(const FrameParts& parts) {
-  Mask cells(parts.hand.width(), parts.hand.height());
-  std::ranges::transform(parts.hand, cells.begin(), [](std::uint8_t like) {
-    return static_cast<std::uint8_t>(like >= kLikeAnyOther ? 255 : 0);
-  });
-  const Box box = tight_box(cells).value_or(Box{});
+  const Box box = tight_box(cells_of(parts, {&FrameParts::hand})).value_or(Box{});
   return {parts.window.x + box.x * parts.cell_px, parts.window.y + box.y * parts.cell_px,
           box.width * parts.cell_px, box.height * parts.cell_px};
 }

@@ -110,7 +110,9 @@ constexpr double kLeastArm = 0.03;  // of the hand's pixels
 }  // namespace
 
 std::optional<Eigen::Vector2d> arm_direction(const FoundHand& found) {
-  const Middle hand = middle_of(found.hand), arm = middle_of(found.arm);
+  const Middle arm = middle_of(found.arm);
+  if (arm.pixels == 0) return std::nullopt;
+  const Middle hand = middle_of(found.hand);
   if (hand.pixels == 0 || arm.pixels < kLeastArm * hand.pixels) return std::nullopt;
   const Eigen::Vector2d way = arm.place - hand.place;
   return way.norm() > 0 ? std::optional<Eigen::Vector2d>(way.normalized()) : std::nullopt;

@@ -134,14 +134,17 @@ ReadLayer read_layer(const Safetensors& file, const LayerPlace& place,
   LayerTensors tensors = read_tensors(file, place.number);
   std::size_t count = 0;
   for (const Channels& channels : inputs) count += channels.count;
-  if (tensors.inputs != count) {
-    throw Error({file.file(), tensors.name + ".weight", fmt::format("{} inputs", count),
-                 fmt::format("{}", tensors.inputs)});
-  }
+  if (tensors.inputs != count)
+    refuse(file, tensors.name + ".weight", fmt::format("{} inputs", count), tensors.inputs);
   check_sums(tensors, file.file());
   if (place.is_last) check_results(tensors, file.file());
   const std::size_t outputs = tensors.outputs;
   return {make_layer(std::move(tensors), place, inputs), outputs};
+}
+
+void refuse(const Safetensors& file, const std::string& key, const std::string& expected,
+            std::size_t found) {
+  throw Error({file.file(), key, expected, fmt::format("{}", found)});
 }
 
 void expect_metadata(const Safetensors& file, const std::string& key, const std::string& expected) {
@@ -158,9 +161,8 @@ nlohmann::json metadata_list(const Safetensors& file, const std::string& key, st
 }
 
 void expect_no_more_tensors(const Safetensors& file, std::size_t layers) {
-  if (file.tensor_count() == 3 * layers) return;
-  throw Error({file.file(), "layers", "three tensors a layer and no others",
-               fmt::format("{}", file.tensor_count())});
+  if (file.tensor_count() != 3 * layers)
+    refuse(file, "layers", "three tensors a layer and no others", file.tensor_count());
 }
 
 }  // namespace graspdb

@@ -40,6 +40,8 @@ struct ReadLayer {
 ReadLayer read_layer(const Safetensors& file, const LayerPlace& place,
                      const std::vector<Channels>& inputs);
 
+[[noreturn]] void refuse(const Safetensors& file, const std::string& key,
+                         const std::string& expected, std::size_t found);
 // Throws Error unless the metadata has this value.
 void expect_metadata(const Safetensors& file, const std::string& key, const std::string& expected);
 // A list of 1 to `most` values.

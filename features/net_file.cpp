@@ -50,9 +50,9 @@ class NetReader {
       add(JsonFields(entry, file_.file(), "layers"), &entry == &layers.back());
     }
     expect_no_more_tensors(file_, layers.size());
-    if (side_ != 1) refuse("layers", "one pixel at the end", side_);
+    if (side_ != 1) refuse(file_, "layers", "one pixel at the end", side_);
     if (!is_embedding_size(channels_.count)) {
-      refuse("layers", "64 or 128 outputs at the end", channels_.count);
+      refuse(file_, "layers", "64 or 128 outputs at the end", channels_.count);
     }
     net_.size = channels_.count;
     net_.scale = read_scale();
@@ -61,11 +61,6 @@ class NetReader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& key, const std::string& expected,
-                           std::size_t found) const {
-    throw Error({file_.file(), key, expected, fmt::format("{}", found)});
-  }
-
   int read_scale() const {
     const std::string key = "embedding_scale";
     const json fields{{key, parse_strict_json(file_.metadata(key), file_.file(), key)}};
@@ -81,7 +76,7 @@ class NetReader {
     ReadLayer layer = read_layer(file_, place, {channels_});
     const std::size_t kernel = layer.convolution.kernel;
     if (kernel > side_ + 2 * place.padding) {
-      refuse(fmt::format("layer{}.weight", place.number),
+      refuse(file_, fmt::format("layer{}.weight", place.number),
              fmt::format("a kernel of at most {}", side_ + 2 * place.padding), kernel);
     }
     channels_ = channels_of(layer.outputs);

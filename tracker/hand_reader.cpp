@@ -29,8 +29,7 @@ HandReader::HandReader(const Database& database, const ReaderOptions& options,
       follower_(options.finder, options.roi),
       own_search_(open_search(database, search)),
       search_(*own_search_),
-      right_(database, search_, tracker_options(database, options),
-             std::make_shared<Describer>(database)),
+      right_(database, search_, tracker_options(database, options)),
       left_(right_.beginning()),
       evidence_(std::make_unique<HandednessEvidence>(options.still)) {}
 

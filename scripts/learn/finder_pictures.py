@@ -88,14 +88,19 @@ class Pictures:
         return light, np.where(alpha[:, :, 0] > 0.5, seen, classes)
 
 
+def turned_axes(place, turn):
+    """How far each pixel lies from `place` (row, column) along a direction and beside it."""
+    down, across = np.mgrid[:HEIGHT, :WIDTH] - np.asarray(place)[:, None, None]
+    return np.cos(turn) * across + np.sin(turn) * down, np.cos(turn) * down - np.sin(turn) * across
+
+
 def pattern(rng):
     """Where of two colours the second shows: blots, or stripes that run askew."""
     size = int(rng.integers(4, 40))
     field = cv2.resize(rng.standard_normal((size, size)).astype(np.float32), (WIDTH, HEIGHT), interpolation=cv2.INTER_CUBIC)
     if rng.random() < 0.6:
-        rows, columns = np.mgrid[:HEIGHT, :WIDTH]
         turn, length = rng.uniform(0, np.pi), rng.uniform(4, 30)
-        field = 0.4 * field + np.sin(2 * np.pi / length * (np.cos(turn) * columns + np.sin(turn) * rows))
+        field = 0.4 * field + np.sin(2 * np.pi / length * turned_axes((0, 0), turn)[0])
     return field > rng.normal(0, 0.5)
 
 
@@ -108,12 +113,9 @@ def with_print(light, shown, rng):
     albedo = np.exp(rng.uniform(-2.5, 0.3, (3, 3))).astype(np.float32)
     if rng.random() < 0.5:  # a label of greys
         albedo[1:] = albedo[1:].mean(axis=1, keepdims=True)
-    rows, columns = np.nonzero(shown)
-    middle_row, middle_column = rows[(k := rng.integers(len(rows)))], columns[k]
-    turn = rng.uniform(0, np.pi)
-    down, across = np.mgrid[:HEIGHT, :WIDTH] - np.array([middle_row, middle_column])[:, None, None]
-    along = np.abs(np.cos(turn) * across + np.sin(turn) * down) < rng.uniform(3, 60)
-    label = along & (np.abs(np.cos(turn) * down - np.sin(turn) * across) < rng.uniform(3, 60))
+    places = np.argwhere(shown)
+    along, beside = turned_axes(places[rng.integers(len(places))], rng.uniform(0, np.pi))
+    label = (np.abs(along) < rng.uniform(3, 60)) & (np.abs(beside) < rng.uniform(3, 60))
     color = np.where((label & pattern(rng))[:, :, None], albedo[2], np.where(label[:, :, None], albedo[1], albedo[0]))
     return np.where(shown[:, :, None], shade * color, light)
 
@@ -121,9 +123,7 @@ def with_print(light, shown, rng):
 def with_thing(light, place, rng):
     """A block or a disc with a print, lit from one side; and where it shows. `place`: its middle, row and column."""
     turn, sides = rng.uniform(0, np.pi), np.exp(rng.uniform(np.log(6), np.log(110), 2))
-    down, across = np.mgrid[:HEIGHT, :WIDTH] - np.asarray(place)[:, None, None]
-    along = (np.cos(turn) * across + np.sin(turn) * down) / sides[0]
-    beside = (np.cos(turn) * down - np.sin(turn) * across) / sides[1]
+    along, beside = (axis / side for axis, side in zip(turned_axes(place, turn), sides))
     shown = along**2 + beside**2 < 1 if rng.random() < 0.4 else np.maximum(abs(along), abs(beside)) < 1
     shade = np.exp(rng.normal(0, 0.5) * along + rng.normal(0, 0.5) * beside).clip(0.2, 3).astype(np.float32)
     plain = np.where(shown[:, :, None], shade[:, :, None] * light.mean(), light)

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/features/embedding.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "features/net_bytes.h"
+#include "features/net_fault.h"
 #include "features/plain_layer.h"
 #include "graspdb/core/error.h"
 #include "support/instruction_sets.h"
@@ -17,7 +16,8 @@ namespace graspdb {
 namespace {
 
 using testing::Cube;
-using ::testing::HasSubstr;
+using testing::expect_refused;
+using testing::NetFault;
 using testing::NetFile;
 using testing::NetLayer;
 using testing::plain_layer;
@@ -78,58 +78,45 @@ TEST(EmbeddingNet, ItsHashIsThatOfItsBytes) {
             EmbeddingNet::parse(bytes, "a").hash());
 }
 
-// What is wrong with a file, and what the message must name.
-struct Fault {
-  const char* name;
-  std::function<void(NetFile&)> make;
-  const char* message;
-};
-
-class FaultyNet : public ::testing::TestWithParam<Fault> {};
+class FaultyNet : public ::testing::TestWithParam<NetFault> {};
 
 TEST_P(FaultyNet, IsRefusedByName) {
-  NetFile file = small_net(4);
-  GetParam().make(file);
-  try {
-    EmbeddingNet::parse(file.bytes(), "some.safetensors");
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("some.safetensors"));
-    EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
-  }
+  expect_refused(GetParam(), small_net(4), EmbeddingNet::parse);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Each, FaultyNet,
     ::testing::Values(
-        Fault{"AnotherFormat", [](NetFile& f) { f.metadata["format"] = "other"; }, "format"},
-        Fault{"AnotherVersion", [](NetFile& f) { f.metadata["format_version"] = "1"; },
-              "format_version"},
-        Fault{"NoScale", [](NetFile& f) { f.metadata.erase("embedding_scale"); },
-              "embedding_scale"},
-        Fault{"AScaleOfText", [](NetFile& f) { f.metadata["embedding_scale"] = "\"9\""; },
-              "embedding_scale"},
-        Fault{"AnUnknownPlane", [](NetFile& f) { f.metadata["planes"] = R"(["gray","depth"])"; },
-              "depth"},
-        Fault{"MorePlanesThanInputs",
-              [](NetFile& f) { f.metadata["planes"] = R"(["gray","mask","scene"])"; },
-              "layer0.weight"},
-        Fault{"ALayerForOtherInputs", [](NetFile& f) { f.layers.erase(f.layers.begin() + 1); },
-              "layer1.weight"},
-        Fault{"AKernelLargerThanThePicture",
-              [](NetFile& f) { f.layers[2].padding = 0, f.layers[1].stride = 4; }, "layer2.weight"},
-        Fault{"MoreThanOnePixelAtTheEnd", [](NetFile& f) { f.layers[2].padding = 3; }, "one pixel"},
-        Fault{"SumsThatOverflow", [](NetFile& f) { f.layers[1].bias[3] = 2147483647; },
-              "layer1.bias"},
-        Fault{"ANegativeMultiplier", [](NetFile& f) { f.layers[1].multiplier[3] = -1; },
-              "layer1.multiplier"},
-        Fault{"ResultsWhoseSquaresOverflow",
-              [](NetFile& f) {
-                f.layers[2].bias[3] = 2000000000;
-                f.layers[2].multiplier[3] = 2147483647;
-              },
-              "layer2.multiplier"},
-        Fault{"NoStride", [](NetFile& f) { f.layers[0].stride = 0; }, "stride"}),
+        NetFault{"AnotherFormat", [](NetFile& f) { f.metadata["format"] = "other"; }, "format"},
+        NetFault{"AnotherVersion", [](NetFile& f) { f.metadata["format_version"] = "1"; },
+                 "format_version"},
+        NetFault{"NoScale", [](NetFile& f) { f.metadata.erase("embedding_scale"); },
+                 "embedding_scale"},
+        NetFault{"AScaleOfText", [](NetFile& f) { f.metadata["embedding_scale"] = "\"9\""; },
+                 "embedding_scale"},
+        NetFault{"AnUnknownPlane", [](NetFile& f) { f.metadata["planes"] = R"(["gray","depth"])"; },
+                 "depth"},
+        NetFault{"MorePlanesThanInputs",
+                 [](NetFile& f) { f.metadata["planes"] = R"(["gray","mask","scene"])"; },
+                 "layer0.weight"},
+        NetFault{"ALayerForOtherInputs", [](NetFile& f) { f.layers.erase(f.layers.begin() + 1); },
+                 "layer1.weight"},
+        NetFault{"AKernelLargerThanThePicture",
+                 [](NetFile& f) { f.layers[2].padding = 0, f.layers[1].stride = 4; },
+                 "layer2.weight"},
+        NetFault{"MoreThanOnePixelAtTheEnd", [](NetFile& f) { f.layers[2].padding = 3; },
+                 "one pixel"},
+        NetFault{"SumsThatOverflow", [](NetFile& f) { f.layers[1].bias[3] = 2147483647; },
+                 "layer1.bias"},
+        NetFault{"ANegativeMultiplier", [](NetFile& f) { f.layers[1].multiplier[3] = -1; },
+                 "layer1.multiplier"},
+        NetFault{"ResultsWhoseSquaresOverflow",
+                 [](NetFile& f) {
+                   f.layers[2].bias[3] = 2000000000;
+                   f.layers[2].multiplier[3] = 2147483647;
+                 },
+                 "layer2.multiplier"},
+        NetFault{"NoStride", [](NetFile& f) { f.layers[0].stride = 0; }, "stride"}),
     [](const auto& fault) { return fault.param.name; });
 
 TEST(EmbeddingNet, ATruncatedFileIsRefusedWhereverItEnds) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "graspdb/features/hand_finder.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "features/color_finder.h"
 #include "features/net_bytes.h"
+#include "features/net_fault.h"
 #include "features/pictures.h"
 #include "features/plain_layer.h"
 #include "graspdb/core/error.h"
@@ -20,11 +19,12 @@ namespace {
 using testing::area;
 using testing::color_finder;
 using testing::Cube;
+using testing::expect_refused;
 using testing::finder_file;
-using ::testing::HasSubstr;
 using testing::kBlue;
 using testing::kGreen;
 using testing::kRed;
+using testing::NetFault;
 using testing::NetFile;
 using testing::NetLayer;
 using testing::paint;
@@ -228,49 +228,34 @@ TEST(HandFinder, LooksAtASmallHandOnceMore) {
   EXPECT_EQ(area(found->hand), fine.width * fine.height);
 }
 
-// What is wrong with a file, and what the message must name.
-struct FinderFault {
-  const char* name;
-  std::function<void(NetFile&)> make;
-  const char* message;
-};
-
-class FaultyFinder : public ::testing::TestWithParam<FinderFault> {};
+class FaultyFinder : public ::testing::TestWithParam<NetFault> {};
 
 TEST_P(FaultyFinder, IsRefusedByName) {
-  NetFile file = small_finder(4);
-  GetParam().make(file);
-  try {
-    HandFinder::parse(file.bytes(), "some.safetensors");
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("some.safetensors"));
-    EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
-  }
+  expect_refused(GetParam(), small_finder(4), HandFinder::parse);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Each, FaultyFinder,
     ::testing::Values(
-        FinderFault{"AnotherFormat",
-                    [](NetFile& f) { f.metadata["format"] = "graspdb descriptor"; }, "format"},
-        FinderFault{"OtherParts", [](NetFile& f) { f.metadata["parts"] = R"(["hand", "rest"])"; },
-                    "parts"},
-        FinderFault{"FewerOutputsAtTheEnd", [](NetFile& f) { f.layers.pop_back(); }, "4 outputs"},
-        FinderFault{"AKernelThatShrinksPictures", [](NetFile& f) { f.layers[1].padding = 0; },
-                    "layer1.weight"},
-        FinderFault{"ALayerBesideALaterOne", [](NetFile& f) { f.layers[2].beside = 2; }, "beside"},
-        FinderFault{"ALayerBesideOneOfAnotherSize", [](NetFile& f) { f.layers[2].beside = 1; },
-                    "beside"},
-        FinderFault{"AStrideOfThree", [](NetFile& f) { f.layers[0].stride = 3; }, "stride"},
-        FinderFault{"SumsThatOverflow", [](NetFile& f) { f.layers[1].bias[3] = 2147483647; },
-                    "layer1.bias"},
-        FinderFault{"ScoresWhoseDifferencesOverflow",
-                    [](NetFile& f) {
-                      f.layers[3].bias[3] = 2000000000;
-                      f.layers[3].multiplier[3] = 2147483647;
-                    },
-                    "layer3.multiplier"}),
+        NetFault{"AnotherFormat", [](NetFile& f) { f.metadata["format"] = "graspdb descriptor"; },
+                 "format"},
+        NetFault{"OtherParts", [](NetFile& f) { f.metadata["parts"] = R"(["hand", "rest"])"; },
+                 "parts"},
+        NetFault{"FewerOutputsAtTheEnd", [](NetFile& f) { f.layers.pop_back(); }, "4 outputs"},
+        NetFault{"AKernelThatShrinksPictures", [](NetFile& f) { f.layers[1].padding = 0; },
+                 "layer1.weight"},
+        NetFault{"ALayerBesideALaterOne", [](NetFile& f) { f.layers[2].beside = 2; }, "beside"},
+        NetFault{"ALayerBesideOneOfAnotherSize", [](NetFile& f) { f.layers[2].beside = 1; },
+                 "beside"},
+        NetFault{"AStrideOfThree", [](NetFile& f) { f.layers[0].stride = 3; }, "stride"},
+        NetFault{"SumsThatOverflow", [](NetFile& f) { f.layers[1].bias[3] = 2147483647; },
+                 "layer1.bias"},
+        NetFault{"ScoresWhoseDifferencesOverflow",
+                 [](NetFile& f) {
+                   f.layers[3].bias[3] = 2000000000;
+                   f.layers[3].multiplier[3] = 2147483647;
+                 },
+                 "layer3.multiplier"}),
     [](const auto& fault) { return fault.param.name; });
 
 }  // namespace
