@@ -31,7 +31,7 @@ void add_camera_options(CLI::App& verb, CameraSettings& settings) {
           ->expected(2)
           ->check(range(-100000.0, 100000.0));
   verb.add_option("--camera", settings.file,
-                  "A calibration of OpenCV (YAML, XML, JSON), COLMAP's cameras.txt, or a file of "
+                  "A calibration of OpenCV (YAML, JSON), COLMAP's cameras.txt, or a file of "
                   "the nine numbers of the matrix")
       ->check(CLI::ExistingFile)
       ->excludes(focal)

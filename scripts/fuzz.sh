@@ -48,6 +48,7 @@ fuzz() {
     [ -z "$keep" ] || keep "$name"
 }
 fuzz build_config
+fuzz calibration
 fuzz closed_poses grasps/closed/*.toml
 fuzz database tests/database/golden/*.graspdb
 fuzz finder

@@ -3,13 +3,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
-#include <opencv2/core.hpp>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -54,47 +55,50 @@ CameraCalibration of_matrix(const std::vector<double>& k, const fs::path& file) 
   return {{.fx = k[0], .fy = k[4], .cx = k[2], .cy = k[5]}};
 }
 
-cv::FileNode first_of(const cv::FileStorage& storage, std::initializer_list<const char*> names) {
+YAML::Node first_of(const YAML::Node& map, std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    if (cv::FileNode node = storage[name]; !node.empty()) return node;
+    if (YAML::Node node = map[name]; node.IsDefined()) return node;
   }
-  return {};
+  return YAML::Node(YAML::NodeType::Undefined);
 }
 
 // Of a matrix row by row, or a list; none for an entry that is not there.
-std::vector<double> numbers_of(const cv::FileNode& node, const fs::path& file) {
-  if (node.empty()) return {};
-  cv::Mat matrix;
-  if (node.isMap()) node >> matrix;
-  if (node.isSeq()) {
-    std::vector<double> list;
-    node >> list;
-    return list;
+std::vector<double> numbers_of(const YAML::Node& node, const char* key, const fs::path& file) {
+  if (!node.IsDefined()) return {};
+  const YAML::Node list = node.IsMap() ? node["data"] : node;
+  if (!list.IsSequence()) refuse(file, key, "a matrix or a list of numbers", "something else");
+  std::vector<double> numbers;
+  for (const YAML::Node& entry : list) {
+    numbers.push_back(entry.as<double>(std::numeric_limits<double>::quiet_NaN()));
+    if (std::isnan(numbers.back())) refuse(file, key, "numbers", "something else");
   }
-  if (matrix.empty() || matrix.channels() != 1)
-    refuse(file, node.name(), "a matrix of numbers", "something else");
-  matrix.convertTo(matrix, CV_64F);
-  return {matrix.begin<double>(), matrix.end<double>()};
+  return numbers;
 }
 
 // 0 for an entry that is not there.
-int side_of(const cv::FileNode& node, const fs::path& file) {
-  if (!node.empty() && !node.isInt()) refuse(file, node.name(), "a whole number", "something else");
-  return node.empty() ? 0 : static_cast<int>(node);
+int side_of(const YAML::Node& node, const char* key, const fs::path& file) {
+  const int side = node.IsDefined() ? node.as<int>(-1) : 0;
+  if (side < 0) refuse(file, key, "a whole number", "something else");
+  return side;
 }
 
+// YAML, or JSON, which is YAML as well. OpenCV's own reader is not used: an altered file can end
+// the program or keep it for ever.
 CameraCalibration read_opencv(const std::string& text, const fs::path& file) {
-  const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
+  const YAML::Node all = YAML::Load(text);
+  if (!all.IsMap()) refuse(file, "", "a calibration of OpenCV", "something else");
   const std::vector<double> matrix =
-      numbers_of(first_of(storage, {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K"}), file);
+      numbers_of(first_of(all, {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K"}),
+                 "camera_matrix", file);
   if (matrix.size() != 9)
     refuse(file, "camera_matrix", "a matrix of 3 x 3", fmt::format("{} numbers", matrix.size()));
   CameraCalibration read = of_matrix(matrix, file);
-  read.camera.width = side_of(first_of(storage, {"image_width", "image_Width"}), file);
-  read.camera.height = side_of(first_of(storage, {"image_height", "image_Height"}), file);
+  read.camera.width = side_of(first_of(all, {"image_width", "image_Width"}), "image_width", file);
+  read.camera.height =
+      side_of(first_of(all, {"image_height", "image_Height"}), "image_height", file);
   const std::vector<double> bends = numbers_of(
-      first_of(storage, {"distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "D"}),
-      file);
+      first_of(all, {"distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "D"}),
+      "distortion_coefficients", file);
   read.distorted = std::ranges::any_of(bends, [](double bend) { return bend != 0; });
   return read;
 }
@@ -169,10 +173,17 @@ CameraCalibration read_plain(const std::string& text, const fs::path& file) {
          fmt::format("{} lines of something else", lines.size()));
 }
 
-bool is_opencv(const std::string& text) {
+bool is_json(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n");
-  return text.starts_with("%YAML") ||
-         (first != std::string::npos && (text[first] == '<' || text[first] == '{'));
+  return first != std::string::npos && text[first] == '{';
+}
+
+CameraCalibration read_any(const std::string& text, const fs::path& file) {
+  // OpenCV's first line, "%YAML:1.0", is no directive of YAML.
+  if (text.starts_with("%YAML"))
+    return read_opencv(text.substr(std::min(text.size(), text.find('\n'))), file);
+  if (is_json(text)) return read_opencv(text, file);
+  return read_plain(text, file);
 }
 
 }  // namespace
@@ -181,11 +192,10 @@ CameraCalibration read_calibration(const fs::path& file) {
   const std::string text = read_text(file);
   if (text.size() > kMostBytes)
     refuse(file, "", "a calibration of at most 1 MiB", fmt::format("{} bytes", text.size()));
-  if (!is_opencv(text)) return checked(read_plain(text, file), file);
   try {
-    return checked(read_opencv(text, file), file);
-  } catch (const cv::Exception& error) {
-    refuse(file, "", "a calibration of OpenCV", error.err);
+    return checked(read_any(text, file), file);
+  } catch (const YAML::Exception& error) {
+    refuse(file, "", "a calibration of OpenCV", error.what());
   }
 }
 

@@ -13,7 +13,7 @@ struct CameraCalibration {
   bool distorted = false;  // the lens bends lines, which is not undone here
 };
 
-// Reads what OpenCV's calibration writes (YAML, XML or JSON: camera_matrix, image_width,
+// Reads what OpenCV's calibration writes (YAML or JSON: camera_matrix, image_width,
 // image_height, distortion_coefficients), COLMAP's cameras.txt with one camera, or the nine numbers
 // of a matrix row by row. Throws Error naming file and key for anything else.
 CameraCalibration read_calibration(const std::filesystem::path& file);
