@@ -4,13 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <set>
 
 #include "checks.h"
 #include "console.h"
 #include "finder_options.h"
+#include "frame_folder.h"
 #include "graspdb/core/error.h"
-#include "graspdb/core/folder.h"
 #include "graspdb/features/hand_follower.h"
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/finding.h"
@@ -27,13 +26,6 @@ struct FindArguments {
   FinderSettings finder;
   bool still = false;
 };
-
-// As `track --masks` looks for them.
-std::string mask_name(const InputFrame& frame) {
-  const std::string name =
-      frame.file.empty() ? fmt::format("{:06}", frame.index) : fs::path(frame.file).stem().string();
-  return name + ".png";
-}
 
 // How found masks agree with true ones.
 class Agreement {
@@ -66,23 +58,6 @@ class Agreement {
   std::size_t count_ = 0, missed_ = 0, false_ = 0;
 };
 
-class MaskFolder {
- public:
-  explicit MaskFolder(fs::path folder) : folder_(std::move(folder)) {
-    renew_folder(folder_, {.kind = "masks", .marker = ".graspdb-masks", .files = {"*.png"}});
-  }
-
-  void write(const std::string& name, const Mask& mask) {
-    if (!names_.insert(name).second)
-      throw Error({folder_.string(), name, "pictures of different names", "two of this one"});
-    write_png(folder_ / name, mask);
-  }
-
- private:
-  fs::path folder_;
-  std::set<std::string> names_;
-};
-
 // Everything that one run of the verb keeps between frames.
 class FindRun {
  public:
@@ -90,7 +65,7 @@ class FindRun {
       : options_(options),
         follower_(options.finder.options(), options.finder.box()),
         source_(open_source(options.input, options.truth)),
-        folder_(options.out) {}
+        folder_(options.out, "masks") {}
 
   void all_frames() {
     const Progress progress = console_progress("looked at", "frames");
@@ -115,17 +90,17 @@ class FindRun {
   void one_frame(const InputFrame& frame) {
     if (options_.still || source_->unrelated()) follower_.forget();
     const Mask hand = follower_.next(frame.color).hand;
-    const std::string name = mask_name(frame);
-    folder_.write(name, hand);
+    const fs::path file = folder_.file_of(frame);
+    write_png(file, hand);
     ++frames_;
     hands_ += !is_empty(hand);
-    if (!options_.truth.empty()) agreement_.add(name, hand, *frame.mask);
+    if (!options_.truth.empty()) agreement_.add(file.filename().string(), hand, *frame.mask);
   }
 
   const FindArguments& options_;
   HandFollower follower_;
   std::unique_ptr<FrameSource> source_;
-  MaskFolder folder_;
+  FrameFolder folder_;
   Agreement agreement_;
   std::size_t frames_ = 0, hands_ = 0;
 };

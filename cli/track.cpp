@@ -7,13 +7,16 @@
 #include "checks.h"
 #include "console.h"
 #include "finder_options.h"
+#include "frame_folder.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/opencv/opencv_image.h"
 #include "graspdb/evaluation/evaluate.h"
 #include "graspdb/evaluation/tables.h"
 #include "graspdb/generator/build_config.h"
 #include "graspdb/pictures/estimate_picture.h"
+#include "graspdb/pictures/explanation.h"
 #include "graspdb/pictures/overlay.h"
+#include "graspdb/renderer/image_io.h"
 #include "graspdb/tracker/hand_reader.h"
 #include "graspdb/video/frame_source.h"
 #include "graspdb/video/video_writer.h"
@@ -29,7 +32,7 @@ namespace {
 constexpr int kOverlayHeight = 360;
 
 struct TrackArguments {
-  std::string database, input, masks, json, video;
+  std::string database, input, masks, json, video, explain;
   Handedness handedness = Handedness::kAuto;
   TrackerSettings tracker;
   CameraSettings camera;
@@ -87,7 +90,8 @@ class Run {
     if (source_->unrelated() && !options.still)
       fmt::print(stderr, "photographs: each is read by itself, as --still has it\n");
     if (!options.video.empty()) video_.emplace(options.video, source_->frames_per_second());
-    if (video_ || options.show) answer_.emplace(database_);
+    if (!options.explain.empty()) explained_.emplace(options.explain, "explanations");
+    if (video_ || options.show || explained_) answer_.emplace(database_);
   }
 
   void all_frames() {
@@ -139,6 +143,7 @@ class Run {
     statistics_.add(estimate);
     log_.add(frame, estimate, camera, camera_.origin());
     if (video_ || options_.show) draw(frame, estimate);
+    if (explained_) explain(frame, estimate);
     if (source_->sequence()) compare_with_truth(frame, estimate);
   }
 
@@ -160,10 +165,27 @@ class Run {
     try {
       return answer_->draw(estimate, kOverlayHeight);
     } catch (const Error& error) {
-      fmt::print(stderr, "answers are not drawn: {}\n", error.what());
-      answer_.reset();
+      draw_no_rows(error);
       return std::nullopt;
     }
+  }
+
+  void draw_no_rows(const Error& why) {
+    fmt::print(stderr, "answers are not drawn: {}\n", why.what());
+    answer_.reset();
+  }
+
+  ColorImage explanation_of(const InputFrame& frame, const Estimate& estimate) {
+    try {
+      return draw_explanation(frame.color, estimate, database_, answer_ ? &*answer_ : nullptr);
+    } catch (const Error& error) {
+      draw_no_rows(error);
+      return draw_explanation(frame.color, estimate, database_, nullptr);
+    }
+  }
+
+  void explain(const InputFrame& frame, const Estimate& estimate) {
+    write_png(explained_->file_of(frame), explanation_of(frame, estimate));
   }
 
   void show(const ColorImage& overlay) {
@@ -198,6 +220,7 @@ class Run {
   TrackLog log_;
   std::optional<VideoWriter> video_;
   std::optional<EstimatePicture> answer_;
+  std::optional<FrameFolder> explained_;
   TrackCamera camera_;
   bool guess_told_ = false;
   TrackStatistics statistics_;
@@ -254,6 +277,9 @@ void add_track(CLI::App& app) {
   verb->add_option("--video", options->video,
                    "Write frame, mask, HOG and estimate side by side to this .mp4")
       ->check(output_file({".mp4"}));
+  verb->add_option("--explain", options->explain,
+                   "Write the steps from each frame to its answer as pictures in this folder")
+      ->check(output_folder());
   verb->add_flag("--show", options->show, "Show the same in a window; q ends");
   verb->footer(
       "The exit status is 3 when no frame had a hand.\n"

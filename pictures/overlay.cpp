@@ -99,14 +99,20 @@ void write_caption(cv::Mat& panel, const std::string& text) {
 
 }  // namespace
 
+ColorImage with_skeleton(const ColorImage& frame, const Estimate& estimate) {
+  ColorImage drawn = frame;
+  cv::Mat pixels = as_mat(drawn);
+  if (estimate.valid) draw_skeleton(pixels, estimate);
+  return drawn;
+}
+
 ColorImage draw_overlay(const OverlayInput& input, int height) {
-  cv::Mat frame = as_mat(input.color).clone();
-  if (input.estimate.valid) draw_skeleton(frame, input.estimate);
+  const ColorImage frame = with_skeleton(input.color, input.estimate);
   const cv::Mat estimated = input.answer ? cv::Mat(as_mat(*input.answer))
                                          : cv::Mat(height, height, CV_8UC3, cv::Scalar(24, 24, 24));
-  cv::Mat panels[] = {fitted(frame, height), fitted(gray_to_color(input.estimate.hand), height),
-                      draw_descriptor(input.estimate.descriptor, height),
-                      fitted(estimated, height)};
+  cv::Mat panels[] = {
+      fitted(as_mat(frame), height), fitted(gray_to_color(input.estimate.hand), height),
+      draw_descriptor(input.estimate.descriptor, height), fitted(estimated, height)};
   write_caption(panels[0], input.caption);
   cv::Mat joined;
   cv::hconcat(panels, 4, joined);

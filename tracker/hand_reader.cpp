@@ -107,6 +107,7 @@ Estimate HandReader::read(const Observation& seen) {
   estimate.ms.segment = seen.segment_ms;
   estimate.ms.total = seen.segment_ms + watch.ms();
   estimate.hand = seen.hand;
+  estimate.towards_arm = seen.towards_arm;
   estimate.colorless = seen.colorless;
   return estimate;
 }

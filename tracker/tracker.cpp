@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "candidate.h"
 #include "graspdb/core/error.h"
@@ -102,7 +101,9 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   find_neighbors(looks);
   estimate.ms.search = watch.lap_ms();
   if (looks.front().neighbors.empty()) return false;
-  estimate.distance = nearest_distance(looks);
+  const Neighbor& nearest = nearest_of(looks);
+  estimate.row = nearest.row;
+  estimate.distance = descriptor_distance(nearest);
   estimate.confidence = confidence_at(estimate.distance, descriptor_kind(database_));
   estimate.no_answer = NoAnswer::kUnlike;
   if (estimate.distance > options_.max_distance) return false;
@@ -169,11 +170,9 @@ void Tracker::check_row(std::uint32_t row) const {
                "an altered row: see `graspdb verify`"});
 }
 
-double Tracker::nearest_distance(const std::vector<Look>& looks) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Look& look : looks)
-    nearest = std::min(nearest, descriptor_distance(look.neighbors.front()));
-  return nearest;
+const Neighbor& Tracker::nearest_of(const std::vector<Look>& looks) {
+  const auto distance = [](const Look& look) { return look.neighbors.front().squared_distance; };
+  return std::ranges::min_element(looks, {}, distance)->neighbors.front();
 }
 
 // The neighbours' poses as the frame's camera would see them, weighted by the observation.

@@ -137,6 +137,26 @@ TEST_F(Track, WritesALineAFrameAndAVideo) {
   EXPECT_THAT(again.out, HasSubstr("3 frames"));
 }
 
+TEST_F(Track, ExplainsEachFrameWithTheRowsThatWereWeighed) {
+  write_frame(directory_.path(), "hand", {160, 90}, {160, 90});
+  write_frame(directory_.path(), "none", {160, 90}, {160, 90});
+  write_png(directory_ / "masks/none.png", Mask(160, 90));
+  const auto page = [&](const std::string& name) {
+    return read_color(directory_ / "steps" / (name + ".png"));
+  };
+  const std::string explain = " --explain " + path("steps");
+  ASSERT_EQ(track(frames_with_masks() + explain).code, 0);
+  const ColorImage answered = page("hand"), empty = page("none");
+  EXPECT_GT(answered.height(), empty.height());  // there are no rows
+  EXPECT_EQ(track(database() + " " + path("frames") + " --masks " + path("masks") + explain +
+                  " --max-distance 0.01")
+                .code,
+            3);
+  EXPECT_EQ(page("hand").height(), answered.height());  // the nearest row
+  EXPECT_NE(page("hand"), answered);
+  EXPECT_EQ(page("none"), empty);
+}
+
 // Its configuration is none of `graspdb build`: what it lacks for tracking is not known.
 TEST_F(Track, ADatabaseThatNoBuildMadeIsReadAllTheSame) {
   write_frame(directory_.path(), "f1", {160, 90}, {160, 90});

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Whatever a file of a camera's calibration holds: it gives a camera, or an Error refuses it.
-#include "graspdb/video/calibration.h"
-
 #include <cmath>
 #include <cstdlib>
 
 #include "graspdb/core/error.h"
+#include "graspdb/video/calibration.h"
 #include "memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

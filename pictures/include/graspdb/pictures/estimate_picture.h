@@ -22,8 +22,11 @@ class EstimatePicture {
   // the hand has no committed closed pose. Throws Error when hand or grasp files are absent or are
   // not those that the database was built from.
   ColorImage draw(const Estimate& estimate, int side);
+  // The same of a row as the database has it; in the mirror for a left hand. Throws Error alike.
+  ColorImage draw_row(std::uint32_t row, bool left_hand, int side);
 
  private:
+  ColorImage draw_turned(std::uint32_t row, const Eigen::Matrix3d& rotation, int side);
   const DatabaseRows& rows_like(std::uint32_t row);
   static Eigen::Matrix3d right_hand_rotation(const Estimate& estimate);
 

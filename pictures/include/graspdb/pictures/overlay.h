@@ -17,6 +17,9 @@ struct OverlayInput {
   std::string caption;
 };
 
+// The frame with the answer's skeleton and the box of what was found in it.
+ColorImage with_skeleton(const ColorImage& frame, const Estimate& estimate);
+
 // Frame with the projected skeleton | mask | HOG | estimated hand, all `height` pixels high, as
 // figures 6 and 7 of the paper have them side by side.
 ColorImage draw_overlay(const OverlayInput& input, int height);

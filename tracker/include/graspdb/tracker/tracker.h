@@ -134,13 +134,14 @@ struct Estimate {
   // How likely the rotation is right to 30 degrees, by the distance of the nearest descriptor.
   double confidence = 0;
   // What was seen.
-  bool colorless = false;      // HandReader's: no hand, as there is no colour to find it by
-  Mask hand;                   // HandReader's
-  bool left_hand = false;      // HandReader's
-  Box box;                     // of the mask, pixels; empty without one
-  DescriptorBytes descriptor;  // of the mask's pixels; of a left hand in the mirror
+  bool colorless = false;  // HandReader's: no hand, as there is no colour to find it by
+  Mask hand;               // HandReader's
+  std::optional<Eigen::Vector2d> towards_arm;  // HandReader's; as Observation has it
+  bool left_hand = false;                      // HandReader's
+  Box box;                                     // of the mask, pixels; empty without one
+  DescriptorBytes descriptor;                  // of the mask's pixels; of a left hand in the mirror
   // The answer: the heaviest hypothesis; where some are merged, its pose and place lie between.
-  std::uint32_t row = 0;
+  std::uint32_t row = 0;         // of kUnlike: the nearest
   double roll_deg = 0;           // as Hypothesis has it
   double distance = 0;           // of the nearest descriptor, however the frame is rolled
   int grasp = 0;                 // id, of the row
@@ -185,7 +186,7 @@ class Tracker {
   std::vector<Look> look_at(const Observation& seen, const Box& box) const;
   void find_neighbors(std::vector<Look>& looks) const;
   void add_successors(Look& look) const;
-  static double nearest_distance(const std::vector<Look>& looks);
+  static const Neighbor& nearest_of(const std::vector<Look>& looks);
   std::vector<Candidate> look_up(const std::vector<Look>& looks) const;
   std::optional<Candidate> candidate_of(const Neighbor& neighbor, const Look& look) const;
   void check_row(std::uint32_t row) const;
