@@ -21,11 +21,16 @@ using NamedRule = std::pair<std::string_view, SkinRule>;
 constexpr std::array<NamedRule, 2> kSkinRules = {
     {{"redness", SkinRule::kRedness}, {"box", SkinRule::kBox}}};
 
+bool is_file(const std::string& finder) {
+  return finder.ends_with(".safetensors");
+}
+
 // A check of CLI11: an empty answer says that all is well.
 std::string check_finder(const std::string& finder) {
   if (std::ranges::find(kSkinRules, finder, &NamedRule::first) != kSkinRules.end()) return "";
-  if (finder.ends_with(".safetensors")) return "";
-  return finder + ": neither redness nor box nor a file of weights (.safetensors)";
+  if (is_file(finder) || std::filesystem::exists(finder_file(finder))) return "";
+  return finder +
+         ": neither redness nor box, nor the name or the file (.safetensors) of a learned finder";
 }
 
 }  // namespace
@@ -38,14 +43,17 @@ std::optional<Box> FinderSettings::box() const {
 FinderOptions FinderSettings::options() const {
   const auto known = std::ranges::find(kSkinRules, finder, &NamedRule::first);
   if (known != kSkinRules.end()) return {.net = nullptr, .skin = {.rule = known->second}};
-  return {.net = std::make_shared<HandFinder>(HandFinder::load(finder))};
+  const auto file = is_file(finder) ? std::filesystem::path(finder) : finder_file(finder);
+  return {.net = std::make_shared<HandFinder>(HandFinder::load(file))};
 }
 
 CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings) {
   return verb
-      .add_option("--finder", settings.finder,
-                  "How hands are found: redness, of what is redder than the frame's own threshold; "
-                  "box, the paper's box in HSV; or the weights of a learned finder (.safetensors)")
+      .add_option(
+          "--finder", settings.finder,
+          "How hands are found: redness, of what is redder than the frame's own threshold; "
+          "box, the paper's box in HSV; or a learned finder: `hand`, ours, or a file of weights "
+          "(.safetensors)")
       ->check(check_finder);
 }
 

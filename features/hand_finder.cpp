@@ -10,7 +10,9 @@
 #include "finder_net.h"
 #include "frame_parts.h"
 #include "graspdb/core/error.h"
+#include "graspdb/core/file.h"
 #include "graspdb/core/opencv/opencv_image.h"
+#include "wrist_colors.h"
 
 namespace graspdb {
 namespace {
@@ -100,9 +102,19 @@ std::uint8_t lead(const std::int32_t* scores, FramePart part) {
       std::clamp(kLikeAnyOther + ((scores[part] - other) >> 1), 0, 255));
 }
 
-FrameParts empty_parts(const Box& window, int cell_px, std::size_t width, std::size_t height) {
-  const PartCells cells(static_cast<int>(width), static_cast<int>(height));
-  return {cells, cells, cells, window, cell_px};
+// Each cell's mean; what a cell lacks at the right and below is like its neighbours.
+ColorImage cell_colors(const cv::Mat& seen, std::size_t cell, const cv::Size& cells) {
+  const int side = static_cast<int>(cell);
+  cv::Mat whole, colors;
+  cv::copyMakeBorder(seen, whole, 0, cells.height * side - seen.rows, 0,
+                     cells.width * side - seen.cols, cv::BORDER_REPLICATE);
+  cv::resize(whole, colors, cells, 0, 0, cv::INTER_AREA);
+  return to_color_image(colors);
+}
+
+FrameParts empty_parts(const Box& window, int cell_px, ColorImage colors) {
+  const PartCells cells(colors.width(), colors.height());
+  return {cells, cells, cells, std::move(colors), window, cell_px};
 }
 
 // So that a hand near the window's middle fills half of it: its fingers are seen best.
@@ -128,15 +140,25 @@ FoundHand found_in(const FrameParts& parts, const ColorImage& frame) {
 
 constexpr int kLeastCells = 12;  // fewer show no hand
 
+std::optional<FrameParts> hand_in(const HandFinder& finder, const ColorImage& frame,
+                                  const Box& window, const std::optional<Box>& roi) {
+  FrameParts parts = finder.look(frame, window);
+  weigh_colors(parts);
+  return largest_hand(parts, kLeastCells, roi);
+}
+
 // At the same hand in another window; what was seen stays when it is not seen there.
 void look_closer(const HandFinder& finder, const ColorImage& frame, const Box& window,
                  FrameParts& parts) {
-  std::optional<FrameParts> closer =
-      largest_hand(finder.look(frame, window), kLeastCells, hand_box(parts));
+  std::optional<FrameParts> closer = hand_in(finder, frame, window, hand_box(parts));
   if (closer) parts = std::move(*closer);
 }
 
 }  // namespace
+
+std::filesystem::path finder_file(const std::string& name) {
+  return data_directory() / "assets" / "finders" / (name + ".safetensors");
+}
 
 struct HandFinder::State {
   FinderNet net;
@@ -166,10 +188,13 @@ FrameParts HandFinder::look(const ColorImage& frame, const Box& window) const {
   const FinderNet& net = state_->net;
   const Convolution& last = net.layers.back().convolution;
   const int factor = shrink_factor(window);
-  Pass pass(net, first_picture(shrunk(frame, window, factor), net.layers.front().convolution));
+  const cv::Mat small = shrunk(frame, window, factor);
+  Pass pass(net, first_picture(small, net.layers.front().convolution));
   const PaddedPicture& seen = pass.run();
-  FrameParts parts = empty_parts(window, factor * static_cast<int>(net.cell),
-                                 last.out_size(seen.width), last.out_size(seen.height));
+  const cv::Size cells(static_cast<int>(last.out_size(seen.width)),
+                       static_cast<int>(last.out_size(seen.height)));
+  FrameParts parts =
+      empty_parts(window, factor * static_cast<int>(net.cell), cell_colors(small, net.cell, cells));
   std::vector<std::int32_t> row(static_cast<std::size_t>(parts.hand.width()) * last.outputs);
   for (int y = 0; y < parts.hand.height(); ++y) {
     convolve_row(last, seen, static_cast<std::size_t>(y), row);
@@ -187,7 +212,7 @@ std::optional<FoundHand> HandFinder::find(const ColorImage& frame,
                                           const std::optional<Box>& roi) const {
   GRASPDB_CHECK(!frame.empty());
   const Box whole{0, 0, frame.width(), frame.height()};
-  std::optional<FrameParts> parts = largest_hand(look(frame, whole), kLeastCells, roi);
+  std::optional<FrameParts> parts = hand_in(*this, frame, whole, roi);
   if (!parts) return std::nullopt;
   const Box near = around(hand_box(*parts), frame);
   if (shrink_factor(near) < shrink_factor(whole)) look_closer(*this, frame, near, *parts);
@@ -197,7 +222,7 @@ std::optional<FoundHand> HandFinder::find(const ColorImage& frame,
 std::optional<FoundHand> HandFinder::find_again(const ColorImage& frame, const Box& last) const {
   GRASPDB_CHECK(last.x + last.width <= frame.width() && last.y + last.height <= frame.height());
   const Box window = around(last, frame);
-  std::optional<FrameParts> parts = largest_hand(look(frame, window), kLeastCells, last);
+  std::optional<FrameParts> parts = hand_in(*this, frame, window, last);
   if (!parts) return std::nullopt;
   const Box now = hand_box(*parts), next = around(now, frame);
   if (reaches_edge(now, window) && next != window) look_closer(*this, frame, next, *parts);

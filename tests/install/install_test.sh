@@ -32,7 +32,7 @@ graspdb() { "$prefix/bin/graspdb" "$@"; }
 echo "== the data are those of the sources, and nothing else"
 quietly cmake --install "$build" --prefix "$prefix"
 data() { find "$@" -type f \( -name '*.toml' -o -name '*.obj' -o -name '*.glb' -o -name '*.safetensors' \) ! -name 'webxr_*.glb' | sort; }
-diff <(cd "$source" && data assets/descriptors assets/hands assets/objects assets/presets grasps sequences/train sequences/test) \
+diff <(cd "$source" && data assets/descriptors assets/finders assets/hands assets/objects assets/presets grasps sequences/train sequences/test) \
     <(cd "$share" && data assets grasps sequences) || fail "the installed data are others than the sources'"
 strangers=$(find "$share" -type f ! -name '*.toml' ! -name '*.obj' ! -name '*.glb' ! -name '*.safetensors' ! -name README.md \
     -o -name 'webxr_*.glb' -o -type d -empty)

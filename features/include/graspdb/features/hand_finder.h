@@ -19,9 +19,13 @@ using PartCells = Image<std::uint8_t>;
 
 struct FrameParts {
   PartCells hand, arm, object;
-  Box window;       // of the frame, from whose upper left corner cells are counted
-  int cell_px = 1;  // width and height of a cell in the frame
+  ColorImage color;  // of each cell, on average
+  Box window;        // of the frame, from whose upper left corner cells are counted
+  int cell_px = 1;   // width and height of a cell in the frame
 };
+
+// The file of a finder that has a name: assets/finders/NAME.safetensors in the data directory.
+std::filesystem::path finder_file(const std::string& name);
 
 // Immutable; thread-safe.
 class HandFinder {
