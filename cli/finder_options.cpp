@@ -49,12 +49,14 @@ FinderOptions FinderSettings::options() const {
 
 CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings) {
   return verb
-      .add_option(
-          "--finder", settings.finder,
-          "How hands are found: redness, of what is redder than the frame's own threshold; "
-          "box, the paper's box in HSV; or a learned finder: `hand`, ours, or a file of weights "
-          "(.safetensors)")
-      ->check(check_finder);
+      .add_option("--finder", settings.finder,
+                  "How hands are found: by a learned finder, `hand`, ours, or the file of "
+                  "another's weights "
+                  "(.safetensors); or by colour: redness, of what is redder than the frame's own "
+                  "threshold, "
+                  "or box, the paper's box in HSV")
+      ->check(check_finder)
+      ->default_str(settings.finder);
 }
 
 void add_still_option(CLI::App& verb, bool& still) {

@@ -14,7 +14,7 @@
 namespace graspdb::cli {
 
 struct FinderSettings {
-  std::string finder = "redness";
+  std::string finder = "hand";
   std::vector<int> roi;  // x, y, width, height; empty: none
 
   // Reads the net's file. Throws Error for one that cannot be read.

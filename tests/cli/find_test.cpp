@@ -7,6 +7,7 @@
 #include "graspdb/features/hand_finder.h"
 #include "graspdb/features/segmentation.h"
 #include "graspdb/renderer/image_io.h"
+#include "graspdb/sequences/finding.h"
 #include "graspdb/sequences/sequence.h"
 #include "program.h"
 #include "support/temporary_directory.h"
@@ -46,16 +47,27 @@ class Find : public ::testing::Test {
 };
 
 TEST_F(Find, MasksAreNamedAsThePictures) {
-  const Outcome outcome = run_program("find " + path("frames") + " --out " + path("masks"));
+  const Outcome outcome =
+      run_program("find " + path("frames") + " --finder redness --out " + path("masks"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("masks of 2 frames, 2 with a hand"));
   EXPECT_FALSE(is_empty(found_[1]));
   EXPECT_EQ(read_gray(directory_ / "masks/hand1.png"), found_[1]);
 }
 
+TEST_F(Find, TheLearnedFinderHasAName) {
+  const std::string find = "find " + path("frames") + " --truth " + path("truth") + " --out ";
+  const Outcome named = run_program(find + path("a") + " --finder hand");
+  const Outcome file = run_program(find + path("b") + " --finder " + finder_file("hand").string());
+  EXPECT_THAT(named.out, HasSubstr("2 with a hand"));
+  EXPECT_EQ(read_gray(directory_ / "a/hand1.png"), read_gray(directory_ / "b/hand1.png"));
+  EXPECT_GT(mask_iou(read_gray(directory_ / "a/hand1.png"), found_[1]), 0.7);
+  EXPECT_EQ(file.code, 0) << file.err;
+}
+
 TEST_F(Find, TruthTellsHowWellMasksAgree) {
-  const std::string find =
-      "find " + path("frames") + " --out " + path("masks") + " --truth " + path("truth");
+  const std::string find = "find " + path("frames") + " --finder redness --out " + path("masks") +
+                           " --truth " + path("truth");
   EXPECT_THAT(run_program(find).out, HasSubstr("mean 1.000, worst 1.000 (hand0.png), of 2 hands"));
   // The second one is none, and of the first the upper half is missing.
   Mask half = found_[0];

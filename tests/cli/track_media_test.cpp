@@ -176,7 +176,7 @@ TEST_F(TrackMedia, WithoutColorAMaskIsAskedFor) {
   for (Bgr& pixel : gray) pixel = {pixel[2], pixel[2], pixel[2]};
   write_png(path("frames/a.png"), gray);
   write_png(path("masks/a.png"), mask_of_block(255));
-  const Outcome outcome = track(path("frames"));
+  const Outcome outcome = track(path("frames") + " --finder redness");
   EXPECT_EQ(outcome.code, kNothingFound);
   EXPECT_THAT(outcome.err, HasSubstr("no colour"));
   EXPECT_THAT(last_warnings(), HasSubstr("no colour"));
