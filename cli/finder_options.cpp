@@ -25,10 +25,15 @@ bool is_file(const std::string& finder) {
   return finder.ends_with(".safetensors");
 }
 
+bool is_there(const std::filesystem::path& file) {
+  std::error_code too_long;  // of a name
+  return std::filesystem::exists(file, too_long);
+}
+
 // A check of CLI11: an empty answer says that all is well.
 std::string check_finder(const std::string& finder) {
   if (std::ranges::find(kSkinRules, finder, &NamedRule::first) != kSkinRules.end()) return "";
-  if (is_file(finder) || std::filesystem::exists(finder_file(finder))) return "";
+  if (is_file(finder) || is_there(finder_file(finder))) return "";
   return finder +
          ": neither redness nor box, nor the name or the file (.safetensors) of a learned finder";
 }
@@ -40,7 +45,8 @@ std::optional<Box> FinderSettings::box() const {
   return Box{roi[0], roi[1], roi[2], roi[3]};
 }
 
-FinderOptions FinderSettings::options() const {
+FinderOptions FinderSettings::options(bool looks_for_hands) const {
+  if (!looks_for_hands) return {};
   const auto known = std::ranges::find(kSkinRules, finder, &NamedRule::first);
   if (known != kSkinRules.end()) return {.net = nullptr, .skin = {.rule = known->second}};
   const auto file = is_file(finder) ? std::filesystem::path(finder) : finder_file(finder);
@@ -49,12 +55,12 @@ FinderOptions FinderSettings::options() const {
 
 CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings) {
   return verb
-      .add_option("--finder", settings.finder,
-                  "How hands are found: by a learned finder, `hand`, ours, or the file of "
-                  "another's weights "
-                  "(.safetensors); or by colour: redness, of what is redder than the frame's own "
-                  "threshold, "
-                  "or box, the paper's box in HSV")
+      .add_option(
+          "--finder", settings.finder,
+          "How hands are found: hand, the net that comes with graspdb; another net's file of "
+          "weights "
+          "(.safetensors); redness, by colour, with a threshold that follows the frame; box, by "
+          "colour, the paper's box in HSV")
       ->check(check_finder)
       ->default_str(settings.finder);
 }

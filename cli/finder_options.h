@@ -17,8 +17,9 @@ struct FinderSettings {
   std::string finder = "hand";
   std::vector<int> roi;  // x, y, width, height; empty: none
 
-  // Reads the net's file. Throws Error for one that cannot be read.
-  FinderOptions options() const;
+  // Reads the net's file, but not where no hand is looked for, as all masks are given. Throws Error
+  // for one that cannot be read.
+  FinderOptions options(bool looks_for_hands = true) const;
   std::optional<Box> box() const;
 };
 

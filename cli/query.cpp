@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "checks.h"
+#include "finder_options.h"
 #include "graspdb/core/error.h"
 #include "graspdb/pictures/row_sheet.h"
 #include "graspdb/renderer/image_io.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct QueryArguments {
   std::string database, image, mask, search = kDefaultSearch, out;
+  FinderSettings finder;
   int count = 20;
   bool json = false;
 };
@@ -110,7 +112,8 @@ Query read_query(const QueryArguments& options, HandReader& reader) {
 
 void run(const QueryArguments& options) {
   const Database database = Database::open(options.database);
-  HandReader reader(database, {}, options.search);
+  HandReader reader(database, {.finder = options.finder.options(options.mask.empty())},
+                    options.search);
   const Query query = read_query(options, reader);
   const auto neighbors = reader.search().nearest(query.seen.descriptor, options.count);
   if (!options.out.empty()) draw(options, database, query, neighbors);
@@ -129,7 +132,8 @@ void add_query(CLI::App& app) {
   verb->add_option("DB", options->database, "The database")->required();
   verb->add_option("IMAGE", options->image, "A picture with a right hand")->required();
   verb->add_option("--mask", options->mask,
-                   "A picture of the same size, bright where the hand is [skin colour]");
+                   "A picture of the same size, bright where the hand is [what --finder finds]");
+  add_finder_option(*verb, options->finder);
   verb->add_option("-k,--neighbours", options->count, "How many rows")->check(range(1, 1000));
   verb->add_option("--search", options->search, "How neighbours are found")
       ->check(one_of(search_names()));

@@ -38,7 +38,9 @@ std::vector<SequenceSpec> load_all(const SequenceSetOptions& options) {
 }  // namespace
 
 SequenceSet::SequenceSet(SequenceSetOptions options)
-    : options_(std::move(options)), finder_(options_.finder.options()), specs_(load_all(options_)) {
+    : options_(std::move(options)),
+      finder_(options_.finder.options(!options_.photoreal.empty() && !options_.true_masks)),
+      specs_(load_all(options_)) {
   if (!options_.photoreal.empty()) {
     specs_ = with_photoreal_frames(std::move(specs_), options_.photoreal);
   }

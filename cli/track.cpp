@@ -49,7 +49,7 @@ Handedness handedness_of(const TrackArguments& options, const FrameSource& sourc
 ReaderOptions reader_options(const TrackArguments& options, const Database& database,
                              const FrameSource& source) {
   return {.tracker = options.tracker.options(database),
-          .finder = options.finder.options(),
+          .finder = options.finder.options(options.masks.empty()),
           .roi = options.finder.box(),
           .handedness = handedness_of(options, source),
           .still = options.still || source.unrelated()};

@@ -12,7 +12,7 @@ install(FILES ${PROJECT_BINARY_DIR}/graspdbConfig.cmake ${PROJECT_BINARY_DIR}/gr
         DESTINATION ${package_dir} COMPONENT development)
 install(EXPORT graspdb-runtime NAMESPACE graspdb:: DESTINATION ${package_dir} COMPONENT development)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-# Also without the program: HandReader describes with them what it sees.
+# Also without the program: HandReader finds hands with the one and describes them with the other.
 install(DIRECTORY assets/descriptors assets/finders DESTINATION ${GRASPDB_DATA_DIR}/assets COMPONENT program)
 if(GRASPDB_RUNTIME_ONLY)
   return()

@@ -28,6 +28,7 @@ class FinderReader {
   FinderNet read() {
     expect_metadata(file_, "format", "graspdb finder");
     expect_metadata(file_, "format_version", "1");
+    expect_metadata(file_, "score_step", "0.0625");  // colours are weighed in the same steps
     if (metadata_list(file_, "parts", kFramePartCount) != json(kPartNames)) {
       throw Error({file_.file(), "parts", json(kPartNames).dump(), file_.metadata("parts")});
     }

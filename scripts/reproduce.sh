@@ -2,7 +2,7 @@
 # Makes the databases, tracks a set of sequences through segmentation noise, and draws what came out.
 #   scripts/reproduce.sh [train|test] [learned|soft-edges|paper]
 # train when absent: the test set is for telling, not for choosing. learned when absent; the others are HOGs.
-# Everything lands in out/reproduce/DESCRIPTOR/SET: tables (main.txt, photoreal.txt, true_masks.txt), the paper's
+# Everything lands in out/reproduce/DESCRIPTOR/SET: tables (main.txt, photoreal.txt, finder.txt, true_masks.txt), the paper's
 # claims (claims.md), the evaluations (main, photoreal, ...: eval.json, frames.csv, runs.csv), plots, the map of
 # confused types, and a page (report.html) on which each sequence plays frame by frame.
 set -euo pipefail
@@ -37,7 +37,8 @@ build both hands
 build held held
 build free free
 evaluate hands "$out/main" --alphas "$alphas" | tee "$out/main.txt"
-evaluate hands "$out/photoreal" --photoreal "sequences/photoreal/$set" --alphas "$alphas" | tee "$out/photoreal.txt"
+evaluate hands "$out/photoreal" --photoreal "sequences/photoreal/$set" --finder redness --alphas "$alphas" | tee "$out/photoreal.txt"
+evaluate hands "$out/finder" --photoreal "sequences/photoreal/$set" --alphas 0 | tee "$out/finder.txt"
 # The same frames with the hand's true mask.
 evaluate hands "$out/true_masks" --photoreal "sequences/photoreal/$set" --true-masks --alphas 0,2 | tee "$out/true_masks.txt"
 $python scripts/plot_evaluation.py "$out/main" --out "$out/plots"
@@ -58,4 +59,4 @@ for sequence in "sequences/$set"/*.seq.toml; do
     "$graspdb" sequence "$sequence" --alpha 0.5 --out "$out/rendered/$(basename "$sequence" .seq.toml)"
 done
 $python scripts/report.py "$out/main" --db "$databases/hands.graspdb" --sequences "$out"/rendered/* --out "$out/report.html"
-echo "tables: $out/{main,photoreal,true_masks}.txt   claims: $out/claims.md   plots: $out/plots   page: $out/report.html"
+echo "tables: $out/{main,photoreal,finder,true_masks}.txt   claims: $out/claims.md   plots: $out/plots   page: $out/report.html"

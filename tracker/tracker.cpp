@@ -102,6 +102,7 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   estimate.ms.search = watch.lap_ms();
   if (looks.front().neighbors.empty()) return false;
   const Neighbor& nearest = nearest_of(looks);
+  check_row(nearest.row);
   estimate.row = nearest.row;
   estimate.distance = descriptor_distance(nearest);
   estimate.confidence = confidence_at(estimate.distance, descriptor_kind(database_));

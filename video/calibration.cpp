@@ -66,7 +66,8 @@ YAML::Node first_of(const YAML::Node& map, std::initializer_list<const char*> na
 std::vector<double> numbers_of(const YAML::Node& node, const char* key, const fs::path& file) {
   if (!node.IsDefined()) return {};
   const YAML::Node list = node.IsMap() ? node["data"] : node;
-  if (!list.IsSequence()) refuse(file, key, "a matrix or a list of numbers", "something else");
+  if (!list.IsDefined() || !list.IsSequence())
+    refuse(file, key, "a matrix or a list of numbers", "something else");
   std::vector<double> numbers;
   for (const YAML::Node& entry : list) {
     numbers.push_back(entry.as<double>(std::numeric_limits<double>::quiet_NaN()));
@@ -173,16 +174,18 @@ CameraCalibration read_plain(const std::string& text, const fs::path& file) {
          fmt::format("{} lines of something else", lines.size()));
 }
 
-bool is_json(const std::string& text) {
+// 0 of a text without one.
+char first_letter(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && text[first] == '{';
+  return first == std::string::npos ? '\0' : text[first];
 }
 
 CameraCalibration read_any(const std::string& text, const fs::path& file) {
   // OpenCV's first line, "%YAML:1.0", is no directive of YAML.
   if (text.starts_with("%YAML"))
     return read_opencv(text.substr(std::min(text.size(), text.find('\n'))), file);
-  if (is_json(text)) return read_opencv(text, file);
+  if (first_letter(text) == '{') return read_opencv(text, file);
+  if (first_letter(text) == '<') refuse(file, "", "a calibration as YAML or JSON", "XML");
   return read_plain(text, file);
 }
 

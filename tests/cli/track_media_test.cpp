@@ -180,7 +180,7 @@ TEST_F(TrackMedia, WithoutColorAMaskIsAskedFor) {
   EXPECT_EQ(outcome.code, kNothingFound);
   EXPECT_THAT(outcome.err, HasSubstr("no colour"));
   EXPECT_THAT(last_warnings(), HasSubstr("no colour"));
-  const Outcome nothing = query(path("frames/a.png"));
+  const Outcome nothing = query(path("frames/a.png") + " --finder redness");
   EXPECT_EQ(nothing.code, 1);
   EXPECT_THAT(nothing.err, HasSubstr("without colour"));
   EXPECT_EQ(track_frames().code, 0);

@@ -239,6 +239,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         NetFault{"AnotherFormat", [](NetFile& f) { f.metadata["format"] = "graspdb descriptor"; },
                  "format"},
+        NetFault{"AnotherStepOfScores", [](NetFile& f) { f.metadata["score_step"] = "0.125"; },
+                 "score_step"},
         NetFault{"OtherParts", [](NetFile& f) { f.metadata["parts"] = R"(["hand", "rest"])"; },
                  "parts"},
         NetFault{"FewerOutputsAtTheEnd", [](NetFile& f) { f.layers.pop_back(); }, "4 outputs"},

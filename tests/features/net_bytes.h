@@ -84,6 +84,7 @@ inline NetFile finder_file(std::vector<NetLayer> layers) {
   return {std::move(layers),
           {{"format", "graspdb finder"},
            {"format_version", "1"},
+           {"score_step", "0.0625"},
            {"parts", R"(["rest", "hand", "arm", "object"])"}}};
 }
 

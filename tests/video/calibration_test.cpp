@@ -105,6 +105,8 @@ TEST_F(CalibrationFile, OfAnythingElseIsRefused) {
   expect_refused("%YAML:1.0\n---\nimage_width: 640\n", "camera_matrix");
   expect_refused("%YAML:1.0\n---\ncamera_matrix: 3\n", "camera_matrix");
   expect_refused("%YAML:1.0\n---\n}{", "OpenCV");
+  expect_refused("%YAML:1.0\n---\ncamera_matrix: { rows: 3 }\n", "camera_matrix");
+  expect_refused("<?xml version=\"1.0\"?>\n<opencv_storage></opencv_storage>\n", "XML");
   EXPECT_THROW(read_calibration(directory_ / "none.txt"), Error);
 }
 

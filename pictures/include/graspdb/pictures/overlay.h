@@ -17,7 +17,7 @@ struct OverlayInput {
   std::string caption;
 };
 
-// The frame with the answer's skeleton and the box of what was found in it.
+// The frame, with the skeleton of a valid answer and the box of the hand that was found.
 ColorImage with_skeleton(const ColorImage& frame, const Estimate& estimate);
 
 // Frame with the projected skeleton | mask | HOG | estimated hand, all `height` pixels high, as

@@ -25,6 +25,8 @@ enum class Handedness {
 
 struct ReaderOptions {
   std::optional<TrackerOptions> tracker;  // absent: kde, as tuned for the database's rows
+  // By colour, unless told: {.net = std::make_shared<HandFinder>(HandFinder::load(file))}, where
+  // finder_file("hand") is ours.
   FinderOptions finder;
   std::optional<Box> roi;  // pixels; the hand that is followed begins in it
   Handedness handedness = Handedness::kRight;

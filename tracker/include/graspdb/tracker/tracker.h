@@ -141,7 +141,7 @@ struct Estimate {
   Box box;                                     // of the mask, pixels; empty without one
   DescriptorBytes descriptor;                  // of the mask's pixels; of a left hand in the mirror
   // The answer: the heaviest hypothesis; where some are merged, its pose and place lie between.
-  std::uint32_t row = 0;         // of kUnlike: the nearest
+  std::uint32_t row = 0;         // without an answer: the nearest, if any
   double roll_deg = 0;           // as Hypothesis has it
   double distance = 0;           // of the nearest descriptor, however the frame is rolled
   int grasp = 0;                 // id, of the row
