@@ -58,8 +58,8 @@ CLI::Option* add_finder_option(CLI::App& verb, FinderSettings& settings) {
       .add_option(
           "--finder", settings.finder,
           "How hands are found: hand, the net that comes with graspdb; another net's file of "
-          "weights "
-          "(.safetensors); redness, by colour, with a threshold that follows the frame; box, by "
+          "weights (.safetensors); redness, by colour, with a threshold that follows the frame; "
+          "box, by "
           "colour, the paper's box in HSV")
       ->check(check_finder)
       ->default_str(settings.finder);

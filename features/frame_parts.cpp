@@ -16,22 +16,18 @@
 namespace graspdb {
 namespace {
 
-Mask cells_of(const FrameParts& parts, std::initializer_list<PartCells FrameParts::*> shown) {
-  Mask cells(parts.hand.width(), parts.hand.height());
-  for (const auto part : shown) {
-    std::ranges::transform(parts.*part, cells, cells.begin(),
-                           [](std::uint8_t like, std::uint8_t is) {
-                             return like >= kLikeAnyOther ? std::uint8_t{255} : is;
-                           });
-  }
-  return cells;
+bool touch(const Mask& a, const Mask& b) {
+  return !std::ranges::equal(a, b, [](auto in_a, auto in_b) { return in_a == 0 || in_b == 0; });
 }
 
-// By a cell on all sides: pieces that are two cells apart touch.
-Mask grown(Mask cells) {
-  cv::Mat image = as_mat(cells);
-  cv::dilate(image, image, cv::Mat());
-  return cells;
+void add(const Mask& more, Mask& mask) {
+  std::ranges::transform(more, mask, mask.begin(), [](auto a, auto b) { return std::max(a, b); });
+}
+
+Mask painted_region(const Regions& regions, std::size_t region, const Mask& like) {
+  Mask mask(like.width(), like.height());
+  regions.paint(region, mask);
+  return mask;
 }
 
 Box cells_in(const Box& roi, const FrameParts& parts) {
@@ -54,33 +50,10 @@ struct Piece {
   int hand = 0, hand_in_roi = 0;
 };
 
-bool touch(const Mask& a, const Mask& b) {
-  return !std::ranges::equal(a, b, [](auto in_a, auto in_b) { return in_a == 0 || in_b == 0; });
-}
-
-void add(const Mask& more, Mask& mask) {
-  std::ranges::transform(more, mask, mask.begin(), [](auto a, auto b) { return std::max(a, b); });
-}
-
 void clear_outside(const Mask& region, PartCells& cells) {
   std::ranges::transform(cells, region, cells.begin(), [](std::uint8_t like, std::uint8_t is) {
     return is != 0 ? like : std::uint8_t{0};
   });
-}
-
-Mask painted_region(const Regions& regions, std::size_t region, const Mask& like) {
-  Mask mask(like.width(), like.height());
-  regions.paint(region, mask);
-  return mask;
-}
-
-Mask arms_of(const Mask& piece, const Regions& arms) {
-  Mask touching(piece.width(), piece.height());
-  for (std::size_t i = 0; i < arms.all().size(); ++i) {
-    const Mask arm = painted_region(arms, i, piece);
-    if (touch(arm, piece)) add(arm, touching);
-  }
-  return touching;
 }
 
 void count_hand(const FrameParts& parts, const Box& roi, Piece& piece) {
@@ -124,6 +97,33 @@ void join(const Piece& piece, Piece& hand) {
 }
 
 }  // namespace
+
+Mask cells_of(const FrameParts& parts, std::initializer_list<PartCells FrameParts::*> shown) {
+  Mask cells(parts.hand.width(), parts.hand.height());
+  for (const auto part : shown) {
+    std::ranges::transform(parts.*part, cells, cells.begin(),
+                           [](std::uint8_t like, std::uint8_t is) {
+                             return like >= kLikeAnyOther ? std::uint8_t{255} : is;
+                           });
+  }
+  return cells;
+}
+
+Mask grown(Mask cells) {
+  cv::Mat image = as_mat(cells);
+  cv::dilate(image, image, cv::Mat());
+  return cells;
+}
+
+Mask arms_of(const Mask& piece, const Regions& arms, int min_cells) {
+  Mask touching(piece.width(), piece.height());
+  for (std::size_t i = 0; i < arms.all().size(); ++i) {
+    if (arms.all()[i].area_px < min_cells) continue;
+    const Mask arm = painted_region(arms, i, piece);
+    if (touch(arm, piece)) add(arm, touching);
+  }
+  return touching;
+}
 
 std::optional<FrameParts> largest_hand(const FrameParts& parts, int min_cells,
                                        const std::optional<Box>& roi) {

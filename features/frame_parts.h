@@ -2,13 +2,24 @@
 // From what each cell of a frame looks like to the hand that is meant.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 
 #include "graspdb/features/hand_finder.h"
+#include "regions.h"
 
 namespace graspdb {
 
 constexpr std::uint8_t kLikeAnyOther = 128;  // in PartCells: the part as much as another
+
+// Cells that look like one of these parts more than like anything else.
+Mask cells_of(const FrameParts& parts, std::initializer_list<PartCells FrameParts::*> shown);
+
+// By a cell on all sides: pieces that are two cells apart touch.
+Mask grown(Mask cells);
+
+// Of the arms with so many cells those that share one with the piece.
+Mask arms_of(const Mask& piece, const Regions& arms, int min_cells = 0);
 
 // The hand of which most is seen within `roi`. What a held object cuts off belongs to it, and so
 // do other pieces nearby, unless both have arms that do not touch. Cells of all parts that are not

@@ -9,7 +9,6 @@
 
 #include "frame_parts.h"
 #include "graspdb/core/opencv/opencv_image.h"
-#include "regions.h"
 
 namespace graspdb {
 namespace {
@@ -105,31 +104,10 @@ std::vector<std::size_t> bins_of(const ColorImage& colors) {
   return bins;
 }
 
-cv::Mat cells_like(const PartCells& part) {
-  cv::Mat cells;
-  cv::threshold(as_mat(part), cells, kLikeAnyOther - 1, 255, cv::THRESH_BINARY);
-  return cells;
-}
-
-// Those that come within two cells of what looks like hand; all 0 when there are none.
-Mask touching_arms(const FrameParts& parts) {
-  cv::Mat hand;
-  cv::dilate(cells_like(parts.hand), hand, cv::Mat::ones(5, 5, CV_8U));
-  Mask arms(parts.arm.width(), parts.arm.height()), touching = arms;
-  cells_like(parts.arm).copyTo(as_mat(arms));
-  const Regions regions(arms);
-  for (std::size_t i = 0; i < regions.all().size(); ++i) {
-    if (regions.all()[i].area_px < kSmallestArm) continue;
-    Mask arm(arms.width(), arms.height());
-    regions.paint(i, arm);
-    if (cv::countNonZero(as_mat(arm) & hand) > 0) as_mat(touching) |= as_mat(arm);
-  }
-  return touching;
-}
-
 // The cells that are no further from the arm than half of its width; all without an arm.
 cv::Mat near_the_wrist(const FrameParts& parts) {
-  const Mask arms = touching_arms(parts);
+  const Mask hand = grown(grown(cells_of(parts, {&FrameParts::hand})));
+  const Mask arms = arms_of(hand, Regions(cells_of(parts, {&FrameParts::arm})), kSmallestArm);
   const cv::Mat arm = as_mat(arms);
   if (cv::countNonZero(arm) == 0) return cv::Mat(arm.size(), CV_8U, cv::Scalar(255));
   cv::Mat depth, distance;

@@ -29,24 +29,23 @@ Eigen::Matrix3d EstimatePicture::right_hand_rotation(const Estimate& estimate) {
   return mirror * rotation * mirror;
 }
 
-// Of a right hand.
-ColorImage EstimatePicture::draw_turned(std::uint32_t row, const Eigen::Matrix3d& rotation,
+ColorImage EstimatePicture::draw_turned(std::uint32_t row,
+                                        const Eigen::Matrix3d& right_hand_rotation, bool left_hand,
                                         int side) {
   const RowPose pose = rows_like(row).pose(row);
   const PosedScene& posed = pose.scene;
-  const Camera camera = crop_camera(rotation, posed.center, database_.info().camera_distance,
-                                    posed.hand_vertices, side);
-  return colored(render(posed.scene, camera), {}, kDark);
+  const Camera camera = crop_camera(right_hand_rotation, posed.center,
+                                    database_.info().camera_distance, posed.hand_vertices, side);
+  const ColorImage picture = colored(render(posed.scene, camera), {}, kDark);
+  return left_hand ? mirrored(picture) : picture;
 }
 
 ColorImage EstimatePicture::draw(const Estimate& estimate, int side) {
-  const ColorImage picture = draw_turned(estimate.row, right_hand_rotation(estimate), side);
-  return estimate.left_hand ? mirrored(picture) : picture;
+  return draw_turned(estimate.row, right_hand_rotation(estimate), estimate.left_hand, side);
 }
 
 ColorImage EstimatePicture::draw_row(std::uint32_t row, bool left_hand, int side) {
-  const ColorImage picture = draw_turned(row, unpack_label(database_.label(row)).rotation, side);
-  return left_hand ? mirrored(picture) : picture;
+  return draw_turned(row, unpack_label(database_.label(row)).rotation, left_hand, side);
 }
 
 }  // namespace graspdb

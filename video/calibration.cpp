@@ -55,7 +55,10 @@ CameraCalibration of_matrix(const std::vector<double>& k, const fs::path& file) 
   return {{.fx = k[0], .fy = k[4], .cx = k[2], .cy = k[5]}};
 }
 
-YAML::Node first_of(const YAML::Node& map, std::initializer_list<const char*> names) {
+// An entry's names, of which messages tell the first.
+using Names = std::initializer_list<const char*>;
+
+YAML::Node first_of(const YAML::Node& map, Names names) {
   for (const char* name : names) {
     if (YAML::Node node = map[name]; node.IsDefined()) return node;
   }
@@ -63,23 +66,25 @@ YAML::Node first_of(const YAML::Node& map, std::initializer_list<const char*> na
 }
 
 // Of a matrix row by row, or a list; none for an entry that is not there.
-std::vector<double> numbers_of(const YAML::Node& node, const char* key, const fs::path& file) {
+std::vector<double> numbers_of(const YAML::Node& map, Names names, const fs::path& file) {
+  const YAML::Node node = first_of(map, names);
   if (!node.IsDefined()) return {};
   const YAML::Node list = node.IsMap() ? node["data"] : node;
   if (!list.IsDefined() || !list.IsSequence())
-    refuse(file, key, "a matrix or a list of numbers", "something else");
+    refuse(file, *names.begin(), "a matrix or a list of numbers", "something else");
   std::vector<double> numbers;
   for (const YAML::Node& entry : list) {
     numbers.push_back(entry.as<double>(std::numeric_limits<double>::quiet_NaN()));
-    if (std::isnan(numbers.back())) refuse(file, key, "numbers", "something else");
+    if (std::isnan(numbers.back())) refuse(file, *names.begin(), "numbers", "something else");
   }
   return numbers;
 }
 
 // 0 for an entry that is not there.
-int side_of(const YAML::Node& node, const char* key, const fs::path& file) {
+int side_of(const YAML::Node& map, Names names, const fs::path& file) {
+  const YAML::Node node = first_of(map, names);
   const int side = node.IsDefined() ? node.as<int>(-1) : 0;
-  if (side < 0) refuse(file, key, "a whole number", "something else");
+  if (side < 0) refuse(file, *names.begin(), "a whole number", "something else");
   return side;
 }
 
@@ -89,17 +94,14 @@ CameraCalibration read_opencv(const std::string& text, const fs::path& file) {
   const YAML::Node all = YAML::Load(text);
   if (!all.IsMap()) refuse(file, "", "a calibration of OpenCV", "something else");
   const std::vector<double> matrix =
-      numbers_of(first_of(all, {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K"}),
-                 "camera_matrix", file);
+      numbers_of(all, {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K"}, file);
   if (matrix.size() != 9)
     refuse(file, "camera_matrix", "a matrix of 3 x 3", fmt::format("{} numbers", matrix.size()));
   CameraCalibration read = of_matrix(matrix, file);
-  read.camera.width = side_of(first_of(all, {"image_width", "image_Width"}), "image_width", file);
-  read.camera.height =
-      side_of(first_of(all, {"image_height", "image_Height"}), "image_height", file);
+  read.camera.width = side_of(all, {"image_width", "image_Width"}, file);
+  read.camera.height = side_of(all, {"image_height", "image_Height"}, file);
   const std::vector<double> bends = numbers_of(
-      first_of(all, {"distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "D"}),
-      "distortion_coefficients", file);
+      all, {"distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "D"}, file);
   read.distorted = std::ranges::any_of(bends, [](double bend) { return bend != 0; });
   return read;
 }

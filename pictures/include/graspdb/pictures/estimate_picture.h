@@ -26,7 +26,8 @@ class EstimatePicture {
   ColorImage draw_row(std::uint32_t row, bool left_hand, int side);
 
  private:
-  ColorImage draw_turned(std::uint32_t row, const Eigen::Matrix3d& rotation, int side);
+  ColorImage draw_turned(std::uint32_t row, const Eigen::Matrix3d& right_hand_rotation,
+                         bool left_hand, int side);
   const DatabaseRows& rows_like(std::uint32_t row);
   static Eigen::Matrix3d right_hand_rotation(const Estimate& estimate);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
 #include "graspdb/core/image.h"
 #include "graspdb/pictures/estimate_picture.h"
 #include "graspdb/tracker/tracker.h"
