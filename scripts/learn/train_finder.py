@@ -57,6 +57,7 @@ class Trainer(Learner):
         self.replicas = Replicas(self.net, self.loss_of, recipe.parts)
         self.optimizer = torch.optim.AdamW(self.net.parameters(), recipe.rate, weight_decay=recipe.decay)
         self.step = 0
+        self.started_from = None  # what is known of the training whose net it began with
 
     @property
     def steps(self):
@@ -76,11 +77,19 @@ class Trainer(Learner):
         self.replicas.join_statistics()
         file = io.BytesIO()
         torch.save({"recipe": dataclasses.asdict(self.recipe), "net": self.net.state_dict(),
-                    "optimizer": self.optimizer.state_dict(), "step": self.step}, file)
+                    "optimizer": self.optimizer.state_dict(), "step": self.step, "started_from": self.started_from},
+                   file)
         safetensors.write_aside(path, file.getvalue())
 
-    def begin_with(self, weights):
-        self.net.load_state_dict(weights)
+    @property
+    def history(self):
+        before = {"started_from": self.started_from} if self.started_from else {}
+        return {"recipe": dataclasses.asdict(self.recipe), "pictures_seen": self.step * self.recipe.batch} | before
+
+    def start_from(self, path):
+        other = Trainer.load(path, self.device)
+        self.net.load_state_dict(other.net.state_dict())
+        self.started_from = other.history
         self.replicas.copy_all()
 
     @staticmethod
@@ -94,7 +103,7 @@ class Trainer(Learner):
         trainer.net.load_state_dict(state["net"])
         trainer.optimizer.load_state_dict(state["optimizer"])
         trainer.replicas.copy_all()
-        trainer.step = state["step"]
+        trainer.step, trainer.started_from = state["step"], state.get("started_from")
         return trainer
 
 
@@ -139,9 +148,8 @@ def write_weights(trainer, maker, measurement, path):
     batch = next(maker.batches(CALIBRATION, FIRST_CALIBRATION // CALIBRATION, 1))
     net = trainer.net.to("cpu")
     pictures = torch.as_tensor(batch["picture"]).permute(0, 3, 1, 2).float() / 255
-    tensors, metadata = finder_export.export(net, pictures, {
-        "recipe": json.dumps(dataclasses.asdict(trainer.recipe)), "seed": str(trainer.recipe.seed),
-        "pictures_seen": str(trainer.step * trainer.recipe.batch)})
+    extra = {name: json.dumps(value) for name, value in trainer.history.items()}
+    tensors, metadata = finder_export.export(net, pictures, extra | {"seed": str(trainer.recipe.seed)})
     if measurement:
         figures = {"floats": measurement.figures(finder_measure.scores_of_net(net)), "int8": measurement.figures(
             lambda pictures: finder_export.integer_scores(tensors, metadata, pictures))}
@@ -185,7 +193,7 @@ def main():
     device = "cuda" if torch.cuda.is_available() else "cpu"
     trainer = Trainer.load(checkpoint, device) if checkpoint.exists() else Trainer(recipe, device)
     if options.start and not checkpoint.exists():
-        trainer.begin_with(torch.load(options.start, map_location=device)["net"])
+        trainer.start_from(options.start)
     layers = trainer.net.layers
     print(f"{len(PICTURES.fronts)} hands, {len(PICTURES.rooms)} rooms; {multiplications(layers, HEIGHT, WIDTH) / 1e6:.0f} million "
           f"multiplications, {sum(p.numel() for p in trainer.net.parameters())} numbers", flush=True)

@@ -5,6 +5,7 @@ as floats, the program finds what the trainer finds, and a training that was cut
     finder_test.py GRASPDB
 """
 import dataclasses
+import json
 import pathlib
 import subprocess
 import sys
@@ -160,6 +161,22 @@ class Finder(unittest.TestCase):
         tensors, metadata = safetensors.read(self.path / "finder.safetensors")
         self.assertEqual(metadata["pictures_seen"], "320")
         self.assertEqual(tensors["layer3.weight"].shape, (8, 3, 3, 24))
+
+    def test_a_training_that_starts_from_another_tells_so(self):
+        maker, start = train_finder.Maker(7), self.path / "start.pt"
+        self.addCleanup(maker.pool.terminate)
+        first = train_finder.Trainer(dataclasses.replace(RECIPE, pictures=16, seed=7), "cpu")
+        train_finder.train(first, maker, start, None)
+        second = train_finder.Trainer(dataclasses.replace(RECIPE, pictures=32, seed=8), "cpu")
+        second.start_from(start)
+        for one, other in zip(first.net.state_dict().values(), second.net.state_dict().values()):
+            torch.testing.assert_close(one, other)
+        train_finder.train(second, maker, self.path / "end.pt", None)
+        train_finder.write_weights(train_finder.Trainer.load(self.path / "end.pt", "cpu"), maker, None,
+                                   self.path / "second.safetensors")
+        metadata = safetensors.read(self.path / "second.safetensors")[1]
+        self.assertEqual(metadata["pictures_seen"], "32")
+        self.assertEqual(json.loads(metadata["started_from"]), json.loads(json.dumps(first.history)))
 
 
 if __name__ == "__main__":
