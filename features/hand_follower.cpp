@@ -9,12 +9,24 @@
 namespace graspdb {
 namespace {
 
-constexpr int kFollowed = 20;      // frames until the whole frame is looked at again
+// Frames until the whole frame is looked at again: for more of the same hand, for another one.
+constexpr int kGlance = 4, kFollowed = 20;
 constexpr double kSuddenly = 0.5;  // of the pixels from one frame to the next: some are lost
-constexpr double kMuchMore = 2;    // times the pixels: another hand is followed from now on
+constexpr double kMore = 1.1, kMuchMore = 2;  // times the pixels, of the same hand and of another
 
 double pixels(const FoundHand& found) {
   return static_cast<double>(std::count(found.hand.begin(), found.hand.end(), 255));
+}
+
+bool overlap(const Mask& a, const Mask& b) {
+  return !std::ranges::equal(a, b, [](auto in_a, auto in_b) { return in_a == 0 || in_b == 0; });
+}
+
+// An object cuts a hand into pieces, and around one of them the others may not be seen. With an
+// arm of its own a piece is no other hand.
+bool is_more_of(const FoundHand& any, const FoundHand& again) {
+  return pixels(any) >= kMore * pixels(again) && overlap(any.hand, again.hand) &&
+         !is_empty(any.arm) && (is_empty(again.arm) || overlap(any.arm, again.arm));
 }
 
 // Of a video whose pictures have had another size nothing is known.
@@ -35,12 +47,14 @@ std::optional<FoundHand> HandFollower::follow(const ColorImage& frame) {
   if (last_ && !is_within(*last_, frame)) forget();
   std::optional<FoundHand> again;
   if (last_) again = options_.net->find_again(frame, *last_);
-  const bool shrunk = again && pixels(*again) < kSuddenly * last_px_;
-  if (again && !shrunk && ++followed_ < kFollowed) return again;
-  followed_ = 0;
+  const bool some_lost = !again || pixels(*again) < kSuddenly * last_px_;
+  if (++followed_ % kGlance != 0 && !some_lost) return again;
+  const bool may_change = some_lost || followed_ >= kFollowed;
+  if (may_change) followed_ = 0;
   std::optional<FoundHand> any = options_.net->find(frame, roi_);
-  const bool keeps = again && (!any || pixels(*any) < kMuchMore * pixels(*again));
-  return keeps ? again : any;
+  if (!again || !any) return again ? again : any;
+  const bool changes = may_change && pixels(*any) >= kMuchMore * pixels(*again);
+  return changes || is_more_of(*any, *again) ? any : again;
 }
 
 FoundHand HandFollower::next(const ColorImage& frame) {

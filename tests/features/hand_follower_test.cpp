@@ -13,6 +13,7 @@ namespace graspdb {
 namespace {
 
 using testing::color_finder;
+using testing::kGreen;
 using testing::kRed;
 using testing::paint;
 
@@ -54,6 +55,19 @@ TEST(HandFollower, TurnsToAHandOfTwiceThePixelsWithinASecond) {
   while (next(follow, {kMine, kHuge}) == kMine && frames < 100) ++frames;
   EXPECT_GT(frames, 5);
   EXPECT_LT(frames, 30);
+}
+
+// Of a hand behind an object that no finder knows: fingers above it, the palm and its arm below.
+TEST(HandFollower, SoonSeesThePalmOfAHandThatItFollowsByItsFingers) {
+  constexpr Box kFingers{200, 100, 80, 30}, kBelow{210, 190, 60, 30};
+  HandFollower follow = follower();
+  EXPECT_EQ(next(follow, {kFingers}), kFingers);
+  ColorImage frame = frame_with({kFingers, kBelow});
+  paint(frame, {220, 220, 40, 100}, kGreen);
+  int frames = 0;
+  while (tight_box(follow.next(frame).hand) == kFingers && frames < 100) ++frames;
+  EXPECT_LT(frames, 4);
+  EXPECT_EQ(tight_box(follow.next(frame).hand), (Box{200, 100, 80, 120}));
 }
 
 TEST(HandFollower, LooksEverywhereForAHandThatIsLost) {

@@ -17,8 +17,8 @@ class HandFollower {
 
   // The hand in the next frame; masks are all 0 when there is none. With a learned finder: the one
   // where the last was; the whole frame is looked at when there is none, when half of it
-  // has gone at once, and every second or so in case that a hand of which much more is seen has
-  // come. Four looks at most. By colour each frame is looked at by itself.
+  // has gone at once, and every fourth frame: it may show more of the hand, or another of which
+  // much more is seen. Four looks at most. By colour each frame is looked at by itself.
   FoundHand next(const ColorImage& frame);
   // The next frame is of another video.
   void forget();
