@@ -12,6 +12,7 @@
 #include "graspdb/features/hog.h"
 #include "graspdb/hand/label.h"
 #include "roll.h"
+#include "silhouette.h"
 #include "successors.h"
 
 namespace graspdb {
@@ -113,7 +114,8 @@ bool Tracker::read(const Observation& seen, Estimate& estimate) {
   if (candidates.empty()) return false;
   if (seen.towards_arm) weigh_arms(*seen.towards_arm, candidates);
   weigh(candidates);
-  const Candidate best = merged(candidates, looks);
+  Candidate best = merged(candidates, looks);
+  if (options_.reach > 0) lay_over(seen, *box, best);
   answer(candidates, best, seen.camera, estimate);
   remember(std::move(candidates), best);
   estimate.ms.temporal = watch.lap_ms();
@@ -224,6 +226,16 @@ void Tracker::weigh_arms(const Eigen::Vector2d& towards_arm,
     const double across = 1 - seen.normalized().dot(towards_arm);
     candidate.log_weight -= across * std::min(seen.norm() / arm.norm(), 1.0) / (sigma * sigma);
   }
+}
+
+// Boxes agree only roughly: an object hides other parts of the hand than of the row's.
+void Tracker::lay_over(const Observation& seen, const Box& box, Candidate& best) const {
+  const Skeleton& skeleton = database_.info().hands[database_.hand(best.row)].skeleton;
+  const Keypoints in_hand = keypoints_in_hand(skeleton, best.angles);
+  const PosedHand hand{best.rotation * (in_hand.colwise() - palm_center(in_hand)),
+                       hand_length(skeleton)};
+  best.placement.palm_center =
+      laid_over(seen.hand, box, seen.camera, hand, best.placement.palm_center, options_.reach);
 }
 
 void Tracker::answer(const std::vector<Candidate>& candidates, const Candidate& best,

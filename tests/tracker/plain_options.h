@@ -23,6 +23,7 @@ struct PlainOptions {
             .sigma_pose = 0.5,
             .bandwidth = 0.5,
             .merge_deg = merge_deg,
+            .reach = 0,
             .max_distance = max_distance};
   }
 };

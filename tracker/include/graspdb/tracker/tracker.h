@@ -39,7 +39,7 @@ std::string temporal_name(TemporalModel model);             // "none", "gaussian
 TemporalModel temporal_from_name(const std::string& name);  // throws Error
 
 // No value is right for every temporal model: start from tuned_options(). What is left at 0 is
-// refused, but for roll_deg and merge_deg.
+// refused, but for roll_deg, merge_deg and reach.
 struct TrackerOptions {
   TemporalModel temporal = TemporalModel::kKde;
   int neighbors = 0;     // k, of each look at a frame, 1..1000
@@ -53,6 +53,8 @@ struct TrackerOptions {
   double bandwidth = 0;      // of the pose vector around each previous hypothesis, .01..100
   double merge_deg = 0;  // the answer lies between the hypotheses so near to the heaviest, 0..90;
                          // 0: it is the heaviest alone
+  double reach = 0.33;  // the answer is moved by up to so much of the mask's box to cover the mask,
+                        // 0..0.5; 0: it stays where its box and the row's agree
   double max_distance = 0;  // a nearest descriptor further away is no hand, .01..1000
 };
 
@@ -72,7 +74,7 @@ struct TrackerNumber {
   const char* help;
   bool tuned = true;  // scripts/tune.py chooses it
 };
-inline constexpr std::array<TrackerNumber, 10> kTrackerNumbers = {
+inline constexpr std::array<TrackerNumber, 11> kTrackerNumbers = {
     {{"neighbours", "-k,--neighbours", &TrackerOptions::neighbors, 1, 1000, "Neighbours looked up"},
      {"roll_deg", "--roll", &TrackerOptions::roll_deg, 0, 90,
       "Frames are looked at rolled by so much either way, too, degrees; 0: not"},
@@ -89,6 +91,8 @@ inline constexpr std::array<TrackerNumber, 10> kTrackerNumbers = {
       "Of the pose around each last hypothesis (kde, successors)"},
      {"merge_deg", "--merge", &TrackerOptions::merge_deg, 0, 90,
       "The answer lies between the hypotheses so near to the heaviest, degrees"},
+     {"reach", "--reach", &TrackerOptions::reach, 0, 0.5,
+      "The answer is moved by up to so much of the mask's box to cover the mask; 0: not", false},
      {"max_distance", "--max-distance", &TrackerOptions::max_distance, 0.01, 1000,
       "A nearest descriptor further away is no hand", false}}};
 
@@ -196,6 +200,7 @@ class Tracker {
   void weigh(std::vector<Candidate>& candidates) const;
   static const Look& look_of(const Candidate& candidate, const std::vector<Look>& looks);
   Candidate merged(const std::vector<Candidate>& candidates, const std::vector<Look>& looks) const;
+  void lay_over(const Observation& seen, const Box& box, Candidate& best) const;
   void answer(const std::vector<Candidate>& candidates, const Candidate& best,
               const Intrinsics& camera, Estimate& estimate) const;
   void remember(std::vector<Candidate> candidates, const Candidate& best);
