@@ -29,7 +29,8 @@ constexpr double kMoved = 4;  // of a move by the box's longer side and of a siz
 
 // Metres, of a hand of kLength.
 constexpr double kLength = 0.19;
-constexpr double kPalm = 0.011, kThumb = 0.0105, kFinger = 0.0085, kArm = 0.026;
+constexpr double kPalmRadius = 0.011, kThumbRadius = 0.0105, kFingerRadius = 0.0085,
+                 kArmRadius = 0.026;
 constexpr double kArmLength = 0.08;
 
 struct Capsule {
@@ -37,11 +38,14 @@ struct Capsule {
   double radius;
 };
 constexpr std::array<Capsule, 24> kCapsules = {
-    {{0, 1, kPalm},     {1, 2, kThumb},    {2, 3, kThumb},    {3, 4, kThumb},    {0, 5, kPalm},
-     {5, 6, kFinger},   {6, 7, kFinger},   {7, 8, kFinger},   {0, 9, kPalm},     {9, 10, kFinger},
-     {10, 11, kFinger}, {11, 12, kFinger}, {0, 13, kPalm},    {13, 14, kFinger}, {14, 15, kFinger},
-     {15, 16, kFinger}, {0, 17, kPalm},    {17, 18, kFinger}, {18, 19, kFinger}, {19, 20, kFinger},
-     {1, 5, kPalm},     {5, 9, kPalm},     {9, 13, kPalm},    {13, 17, kPalm}}};
+    {{0, 1, kPalmRadius},     {1, 2, kThumbRadius},    {2, 3, kThumbRadius},
+     {3, 4, kThumbRadius},    {0, 5, kPalmRadius},     {5, 6, kFingerRadius},
+     {6, 7, kFingerRadius},   {7, 8, kFingerRadius},   {0, 9, kPalmRadius},
+     {9, 10, kFingerRadius},  {10, 11, kFingerRadius}, {11, 12, kFingerRadius},
+     {0, 13, kPalmRadius},    {13, 14, kFingerRadius}, {14, 15, kFingerRadius},
+     {15, 16, kFingerRadius}, {0, 17, kPalmRadius},    {17, 18, kFingerRadius},
+     {18, 19, kFingerRadius}, {19, 20, kFingerRadius}, {1, 5, kPalmRadius},
+     {5, 9, kPalmRadius},     {9, 13, kPalmRadius},    {13, 17, kPalmRadius}}};
 constexpr int kWrist = 0, kMiddleMcp = 9;
 constexpr std::array kPalmOutline = {0, 1, 5, 9, 13, 17};
 
@@ -113,7 +117,7 @@ Cells drawn_arm(const Points& joints, double cells_per_m) {
   Drawing drawing(cells_per_m);
   const Eigen::Vector2d wrist = joints.col(kWrist);
   const Eigen::Vector2d back = (wrist - joints.col(kMiddleMcp)).normalized();
-  drawing.capsule(wrist, wrist + back * kArmLength * cells_per_m, kArm);
+  drawing.capsule(wrist, wrist + back * kArmLength * cells_per_m, kArmRadius);
   return drawing.cells();
 }
 
@@ -166,9 +170,9 @@ struct Move {  // cells, about the middle of the keypoints
 class Overlay {
  public:
   Overlay(const Mask& mask, const Box& box, const Grid& grid)
-      : seen_(grid.covered_by(mask, box)),
-        inside_(grid.within(mask)),
-        seen_count_(std::max(count(seen_), 1)) {}
+      : seen_(grid.covered_by(mask, box)), inside_(grid.within(mask)), seen_count_(count(seen_)) {}
+
+  bool is_empty() const { return seen_count_ == 0; }
 
   void draw(const Points& joints, double cells_per_m) {
     hand_ = drawn_hand(joints, cells_per_m);
@@ -193,16 +197,18 @@ class Overlay {
   // A coarse look everywhere, then a fine one around the best.
   Move best_move(double reach) const {
     constexpr int kStep = 3;
-    const int furthest = static_cast<int>(std::lround(reach * kBoxCells / kStep)) * kStep;
-    const Move coarse = best_around({}, furthest, kStep);
-    return best_around(coarse, kStep - 1, 1);
+    const int furthest = static_cast<int>(reach * kBoxCells);
+    const Move coarse = best_around({}, furthest, furthest / kStep * kStep, kStep);
+    return best_around(coarse, furthest, kStep - 1, 1);
   }
 
  private:
-  Move best_around(const Move& middle, int reach, int step) const {
+  // No further than `furthest` from where it was.
+  Move best_around(const Move& middle, int furthest, int reach, int step) const {
     Move best;
     for (int down = middle.down - reach; down <= middle.down + reach; down += step) {
       for (int right = middle.right - reach; right <= middle.right + reach; right += step) {
+        if (std::max(std::abs(right), std::abs(down)) > furthest) continue;
         const double here = cost(right, down);
         if (here < best.cost) best = {right, down, 1, here};
       }
@@ -229,12 +235,18 @@ Move best_move(const Points& cells, double cells_per_m, double reach, Overlay& o
   return best;
 }
 
+// False of what is no number, too.
+bool is_before_camera(const PosedHand& hand, const Eigen::Vector3d& palm_center) {
+  return hand.from_palm.row(2).minCoeff() + palm_center.z() > kNearestDepth &&
+         palm_center.allFinite();
+}
+
 }  // namespace
 
 Eigen::Vector3d laid_over(const Mask& mask, const Box& box, const Intrinsics& camera,
                           const PosedHand& hand, const Eigen::Vector3d& palm_center, double reach) {
   const Keypoints joints = hand.from_palm.colwise() + palm_center;
-  if (joints.row(2).minCoeff() <= kNearestDepth) return palm_center;
+  if (!is_before_camera(hand, palm_center)) return palm_center;
   const Grid grid(box);
   const auto cell_of = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
     return (camera.project(point) - grid.first_px) / grid.cell_px;
@@ -243,12 +255,14 @@ Eigen::Vector3d laid_over(const Mask& mask, const Box& box, const Intrinsics& ca
   for (int i = 0; i < kKeypointCount; ++i) cells.col(i) = cell_of(joints.col(i));
   const double px_per_m = camera.fx / palm_center.z() * hand.length / kLength;
   Overlay overlay(mask, box, grid);
+  if (overlay.is_empty()) return palm_center;
   const Move move = best_move(cells, px_per_m / grid.cell_px, reach, overlay);
 
   const Eigen::Vector2d middle = cells.rowwise().mean(), shift(move.right, move.down);
   const Eigen::Vector2d palm = middle + move.scale * (cell_of(palm_center) - middle) + shift;
   const Eigen::Vector2d px = grid.first_px + palm * grid.cell_px;
-  return camera.ray(px.x(), px.y()) * (palm_center.z() / move.scale);
+  const Eigen::Vector3d moved = camera.ray(px.x(), px.y()) * (palm_center.z() / move.scale);
+  return is_before_camera(hand, moved) ? moved : palm_center;
 }
 
 }  // namespace graspdb

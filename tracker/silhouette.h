@@ -20,7 +20,7 @@ struct PosedHand {
 // whose box is `box`: up to `reach` times the box's longer side beside it, each way, and a sixth
 // nearer or further. Seen pixels that are not covered are dear, less so at the wrist, as masks end
 // there somewhere. Covering others is cheap: an object may hide a hand. `palm_center` itself when
-// the hand would reach behind the camera there. Thread-safe; .1 ms.
+// the hand would reach behind the camera there. Thread-safe.
 Eigen::Vector3d laid_over(const Mask& mask, const Box& box, const Intrinsics& camera,
                           const PosedHand& hand, const Eigen::Vector3d& palm_center, double reach);
 

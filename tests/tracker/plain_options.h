@@ -10,7 +10,7 @@ struct PlainOptions {
   TemporalModel temporal = TemporalModel::kKde;
   int neighbors = 20, kept = 20;
   double sigma_hog = 1, sigma_stretch = 0.15, merge_deg = 0, max_distance = 5, roll_deg = 0;
-  double sigma_arm_deg = 1000;
+  double sigma_arm_deg = 1000, reach = 0;
 
   operator TrackerOptions() const {
     return {.temporal = temporal,
@@ -23,7 +23,7 @@ struct PlainOptions {
             .sigma_pose = 0.5,
             .bandwidth = 0.5,
             .merge_deg = merge_deg,
-            .reach = 0,
+            .reach = reach,
             .max_distance = max_distance};
   }
 };

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,7 +30,7 @@ PosedHand flat_hand() {
   return {joints.colwise() - palm_center(joints), 0.19};
 }
 
-// The hand and a stump of its arm as balls along its bones, 1 mm apart.
+// The hand and a stump of its arm as balls along its bones.
 Mask picture_of(const PosedHand& hand, const Eigen::Vector3d& palm, double arm_m = 0.015) {
   Keypoints joints = hand.from_palm.colwise() + palm;
   Mask mask(kView.width, kView.height);
@@ -111,10 +113,29 @@ TEST(Silhouette, AHandHalfOutsideThePictureIsNotPulledIn) {
 }
 
 TEST(Silhouette, MovesAreBounded) {
-  Mask far_away(kView.width, kView.height);
-  for (int y = 200; y < 220; ++y) std::fill_n(far_away.row(y) + 280, 20, 255);
-  const Eigen::Vector3d palm = laid(far_away, kPalmAt);
-  EXPECT_LT((kView.project(palm) - kView.project(kPalmAt)).norm(), 12);
+  const Mask mask = picture_of(flat_hand(), kPalmAt);
+  const Box box = tight_box(mask).value();
+  const Eigen::Vector3d off(0.05, 0, 0);
+  for (const double reach : {0.05, 0.1, 0.2}) {
+    const Eigen::Vector3d palm = laid_over(mask, box, kView, flat_hand(), kPalmAt + off, reach);
+    const double moved = (kView.project(palm) - kView.project(kPalmAt + off)).x();
+    EXPECT_LT(moved, -1) << reach;
+    // The size, too, moves the palm about the middle of the keypoints.
+    EXPECT_GT(moved, -(reach * std::max(box.width, box.height) + 4)) << reach;
+  }
+}
+
+TEST(Silhouette, WithoutACellThatIsSeenTheHandStays) {
+  Mask thin(kView.width, kView.height);
+  for (int i = 0; i < 200; ++i) thin.at(60 + i, 20 + i) = 255;
+  EXPECT_EQ(laid(thin, kPalmAt), kPalmAt);
+}
+
+TEST(Silhouette, APlaceThatIsNoNumberStays) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d palm = laid(picture_of(flat_hand(), kPalmAt), {nan, 0, 0.5});
+  EXPECT_TRUE(std::isnan(palm.x()));
+  EXPECT_EQ(palm.z(), 0.5);
 }
 
 TEST(Silhouette, AHandThatWouldReachBehindTheCameraStays) {

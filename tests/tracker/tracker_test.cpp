@@ -189,6 +189,19 @@ TEST_F(BarTracker, ARowsOwnPictureIsAsFarAwayAsTheRowWas) {
   EXPECT_LT((palm - Eigen::Vector3d(0, 0, 0.7)).norm(), 1e-3);
 }
 
+TEST_F(BarTracker, WithReachTheHandIsMovedAndNothingElse) {
+  Tracker still = tracker({.temporal = TemporalModel::kNone});
+  Tracker moving = tracker({.temporal = TemporalModel::kNone, .reach = 0.33});
+  const Estimate before = show(still, bar(angle_of(1))), after = show(moving, bar(angle_of(1)));
+  EXPECT_EQ(after.row, before.row);
+  EXPECT_EQ(after.camera_from_hand.rotation, before.camera_from_hand.rotation);
+  EXPECT_EQ(after.angles, before.angles);
+  const double moved =
+      (after.camera_from_hand.translation - before.camera_from_hand.translation).norm();
+  EXPECT_GT(moved, 1e-3);
+  EXPECT_LT(moved, 0.2);
+}
+
 // The descriptor is stretched with its box: only the aspect ratio tells these apart.
 TEST_F(BarTracker, ABoxOfAnotherShapeIsNoHand) {
   Tracker tracker = this->tracker({.temporal = TemporalModel::kNone, .neighbors = 1});

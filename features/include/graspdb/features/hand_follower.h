@@ -17,8 +17,9 @@ class HandFollower {
 
   // The hand in the next frame; masks are all 0 when there is none. With a learned finder: the one
   // where the last was; the whole frame is looked at when there is none, when half of it
-  // has gone at once, and every fourth frame: it may show more of the hand, or another of which
-  // much more is seen. Four looks at most. By colour each frame is looked at by itself.
+  // has gone at once, and every fourth frame, as it may show more of the hand. Another hand, of
+  // which much more is seen, is turned to within 20 frames. Four looks at most. By colour each
+  // frame is looked at by itself.
   FoundHand next(const ColorImage& frame);
   // The next frame is of another video.
   void forget();
@@ -29,7 +30,7 @@ class HandFollower {
   FinderOptions options_;
   std::optional<Box> roi_, last_;
   double last_px_ = 0;
-  int followed_ = 0;  // frames since the whole frame was looked at
+  int followed_ = 0;  // frames since another hand could have been taken
 };
 
 }  // namespace graspdb

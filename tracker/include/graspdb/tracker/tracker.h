@@ -54,7 +54,7 @@ struct TrackerOptions {
   double merge_deg = 0;  // the answer lies between the hypotheses so near to the heaviest, 0..90;
                          // 0: it is the heaviest alone
   double reach = 0.33;  // the answer is moved by up to so much of the mask's box to cover the mask,
-                        // 0..0.5; 0: it stays where its box and the row's agree
+                        // 0..0.35; 0: it stays where its box and the row's agree
   double max_distance = 0;  // a nearest descriptor further away is no hand, .01..1000
 };
 
@@ -91,7 +91,7 @@ inline constexpr std::array<TrackerNumber, 11> kTrackerNumbers = {
       "Of the pose around each last hypothesis (kde, successors)"},
      {"merge_deg", "--merge", &TrackerOptions::merge_deg, 0, 90,
       "The answer lies between the hypotheses so near to the heaviest, degrees"},
-     {"reach", "--reach", &TrackerOptions::reach, 0, 0.5,
+     {"reach", "--reach", &TrackerOptions::reach, 0, 0.35,
       "The answer is moved by up to so much of the mask's box to cover the mask; 0: not", false},
      {"max_distance", "--max-distance", &TrackerOptions::max_distance, 0.01, 1000,
       "A nearest descriptor further away is no hand", false}}};
