@@ -16,10 +16,6 @@
 namespace graspdb {
 namespace {
 
-bool touch(const Mask& a, const Mask& b) {
-  return !std::ranges::equal(a, b, [](auto in_a, auto in_b) { return in_a == 0 || in_b == 0; });
-}
-
 void add(const Mask& more, Mask& mask) {
   std::ranges::transform(more, mask, mask.begin(), [](auto a, auto b) { return std::max(a, b); });
 }
@@ -107,6 +103,10 @@ Mask cells_of(const FrameParts& parts, std::initializer_list<PartCells FramePart
                            });
   }
   return cells;
+}
+
+bool touch(const Mask& a, const Mask& b) {
+  return !std::ranges::equal(a, b, [](auto in_a, auto in_b) { return in_a == 0 || in_b == 0; });
 }
 
 Mask grown(Mask cells) {

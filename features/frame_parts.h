@@ -15,6 +15,9 @@ constexpr std::uint8_t kLikeAnyOther = 128;  // in PartCells: the part as much a
 // Cells that look like one of these parts more than like anything else.
 Mask cells_of(const FrameParts& parts, std::initializer_list<PartCells FrameParts::*> shown);
 
+// Whether masks of one size share a pixel.
+bool touch(const Mask& a, const Mask& b);
+
 // By a cell on all sides: pieces that are two cells apart touch.
 Mask grown(Mask cells);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "frame_parts.h"
 #include "graspdb/features/hog.h"
 
 namespace graspdb {
@@ -18,15 +19,11 @@ double pixels(const FoundHand& found) {
   return static_cast<double>(std::count(found.hand.begin(), found.hand.end(), 255));
 }
 
-bool overlap(const Mask& a, const Mask& b) {
-  return !std::ranges::equal(a, b, [](auto in_a, auto in_b) { return in_a == 0 || in_b == 0; });
-}
-
 // An object cuts a hand into pieces, and around one of them the others may not be seen. With an
 // arm of its own a piece is no other hand.
 bool is_more_of(const FoundHand& any, const FoundHand& again) {
-  return pixels(any) >= kMore * pixels(again) && overlap(any.hand, again.hand) &&
-         !is_empty(any.arm) && (is_empty(again.arm) || overlap(any.arm, again.arm));
+  return pixels(any) >= kMore * pixels(again) && touch(any.hand, again.hand) &&
+         !is_empty(any.arm) && (is_empty(again.arm) || touch(any.arm, again.arm));
 }
 
 // Of a video whose pictures have had another size nothing is known.

@@ -245,8 +245,8 @@ bool is_before_camera(const PosedHand& hand, const Eigen::Vector3d& palm_center)
 
 Eigen::Vector3d laid_over(const Mask& mask, const Box& box, const Intrinsics& camera,
                           const PosedHand& hand, const Eigen::Vector3d& palm_center, double reach) {
-  const Keypoints joints = hand.from_palm.colwise() + palm_center;
   if (!is_before_camera(hand, palm_center)) return palm_center;
+  const Keypoints joints = hand.from_palm.colwise() + palm_center;
   const Grid grid(box);
   const auto cell_of = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
     return (camera.project(point) - grid.first_px) / grid.cell_px;

@@ -211,12 +211,16 @@ std::optional<Tracker::Candidate> Tracker::candidate_of(const Neighbor& neighbor
   return candidate;
 }
 
+const Skeleton& Tracker::skeleton_of(const Candidate& candidate) const {
+  return database_.info().hands[database_.hand(candidate.row)].skeleton;
+}
+
 // By the direction of their own forearm in the picture, as far as it is seen from the side.
 void Tracker::weigh_arms(const Eigen::Vector2d& towards_arm,
                          std::vector<Candidate>& candidates) const {
   const double sigma = radians(options_.sigma_arm_deg);
   for (Candidate& candidate : candidates) {
-    const Skeleton& skeleton = database_.info().hands[database_.hand(candidate.row)].skeleton;
+    const Skeleton& skeleton = skeleton_of(candidate);
     const Eigen::Vector3d arm =
         candidate.rotation * (forearm_point(skeleton, candidate.angles, kArmPoint) - kHandPoint);
     // As seen from the camera, in which the hand may be far from the axis.
@@ -230,7 +234,7 @@ void Tracker::weigh_arms(const Eigen::Vector2d& towards_arm,
 
 // Boxes agree only roughly: an object hides other parts of the hand than of the row's.
 void Tracker::lay_over(const Observation& seen, const Box& box, Candidate& best) const {
-  const Skeleton& skeleton = database_.info().hands[database_.hand(best.row)].skeleton;
+  const Skeleton& skeleton = skeleton_of(best);
   const Keypoints in_hand = keypoints_in_hand(skeleton, best.angles);
   const PosedHand hand{best.rotation * (in_hand.colwise() - palm_center(in_hand)),
                        hand_length(skeleton)};
@@ -240,7 +244,7 @@ void Tracker::lay_over(const Observation& seen, const Box& box, Candidate& best)
 
 void Tracker::answer(const std::vector<Candidate>& candidates, const Candidate& best,
                      const Intrinsics& camera, Estimate& estimate) const {
-  const Skeleton& skeleton = database_.info().hands[database_.hand(best.row)].skeleton;
+  const Skeleton& skeleton = skeleton_of(best);
   estimate.row = best.row;
   estimate.roll_deg = best.roll_deg;
   estimate.grasp = database_.grasp(best.row);

@@ -194,6 +194,7 @@ class Tracker {
   std::vector<Candidate> look_up(const std::vector<Look>& looks) const;
   std::optional<Candidate> candidate_of(const Neighbor& neighbor, const Look& look) const;
   void check_row(std::uint32_t row) const;
+  const Skeleton& skeleton_of(const Candidate& candidate) const;
   void weigh_arms(const Eigen::Vector2d& towards_arm, std::vector<Candidate>& candidates) const;
   double log_prior(const PoseVector& pose) const;
   static void put_heaviest_first(std::vector<Candidate>& candidates);
