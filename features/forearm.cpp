@@ -26,11 +26,24 @@ struct SmallPicture {
   int factor;
 };
 
-// The box is grown by background where it does not touch the picture's border, so that the closing
-// does not reach the small picture's border either.
+int measured_factor(const Box& box) {
+  return (std::max(box.width, box.height) - 1) / kMeasuredSide + 1;
+}
+
+// Of background around the box, in pixels of the small picture: the closing does not reach the
+// small picture's border unless the mask touches the picture's.
+constexpr int kMargin = 3;
+
+// Where no arm can come in.
+bool is_inside(const Box& box, const Mask& picture) {
+  const int margin = kMargin * measured_factor(box);
+  return std::min(box.x, box.y) >= margin && box.x + box.width + margin <= picture.width() &&
+         box.y + box.height + margin <= picture.height();
+}
+
 SmallPicture shrink(const Mask& hand, const Box& box) {
-  const int factor = (std::max(box.width, box.height) - 1) / kMeasuredSide + 1;
-  const cv::Rect part = grown(box, 3 * factor, hand);
+  const int factor = measured_factor(box);
+  const cv::Rect part = grown(box, kMargin * factor, hand);
   cv::Mat small, closed;
   cv::resize(as_mat(hand)(part), small,
              cv::Size((part.width + factor - 1) / factor, (part.height + factor - 1) / factor), 0,
@@ -148,7 +161,7 @@ void clear_arm(float cut, float palm_radius, const cv::Mat& way, const SmallPict
 Mask cut_forearm(const Mask& hand) {
   GRASPDB_CHECK(!hand.empty());
   const std::optional<Box> box = tight_box(hand);
-  if (!box) return hand;
+  if (!box || is_inside(*box, hand)) return hand;
   const SmallPicture small = shrink(hand, *box);
   const std::optional<ArmProfile> arm = measure_arm(small.mask);
   if (!arm) return hand;

@@ -231,10 +231,9 @@ std::optional<FoundHand> HandFinder::find_again(const ColorImage& frame, const B
 
 FoundHand find_hand(const ColorImage& frame, const std::optional<Box>& roi,
                     const FinderOptions& options) {
+  if (!options.net) return find_by_color(frame, roi, options.skin);
   const Mask nothing(frame.width(), frame.height());
-  if (options.net) return options.net->find(frame, roi).value_or(FoundHand{nothing, nothing});
-  const std::optional<Mask> region = find_region(frame, roi, options.skin);
-  return region ? split_hand(*region) : FoundHand{nothing, nothing};
+  return options.net->find(frame, roi).value_or(FoundHand{nothing, nothing});
 }
 
 }  // namespace graspdb

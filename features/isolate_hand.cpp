@@ -149,16 +149,24 @@ Mask isolate_hand(const Mask& skin, const std::optional<Box>& roi, const SkinOpt
   return split_hand(skin, roi, options).hand;
 }
 
-std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi,
-                                const SkinOptions& options) {
+FoundHand find_by_color(const ColorImage& frame, const std::optional<Box>& roi,
+                        const SkinOptions& options) {
   GRASPDB_CHECK(!frame.empty());
   const int factor = shrink_factor(frame);
   const ColorImage small = shrink(frame, factor);
+  SkinOptions of_small = options;
+  of_small.min_area_px /= factor * factor;
   const std::optional<Mask> region =
-      largest_region(segment_skin(small, options), options.min_area_px / (factor * factor),
+      largest_region(segment_skin(small, of_small), of_small.min_area_px,
                      roi ? std::optional(shrink(*roi, factor)) : std::nullopt);
-  if (!region || !has_color_of_skin(small, *region)) return std::nullopt;
-  return factor == 1 ? *region : resized(*region, frame.width(), frame.height());
+  const Mask nothing(frame.width(), frame.height());
+  if (!region || !has_color_of_skin(small, *region)) return {nothing, nothing};
+  FoundHand found = split_hand(*region, {}, of_small);
+  if (factor == 1) return found;
+  const auto as_frame = [&](const Mask& mask) {
+    return is_empty(mask) ? nothing : resized(mask, frame.width(), frame.height());
+  };
+  return {as_frame(found.hand), as_frame(found.arm)};
 }
 
 }  // namespace graspdb

@@ -34,39 +34,19 @@ Mask true_hand(const MeshFrames& meshes, std::size_t frame) {
   return hand;
 }
 
-// By its colour: frames.hand becomes the region with its forearm. The hands themselves.
-std::vector<Mask> find_by_color(SequenceFrames& frames, const std::vector<ColorImage>& colors,
-                                const SkinOptions& options) {
-  std::vector<Mask> hands(colors.size());
-  parallel_for(colors.size(), 0, [&](std::size_t i) {
-    const Mask nothing(colors[i].width(), colors[i].height());
-    const Mask region = find_region(colors[i], {}, options).value_or(nothing);
-    hands[i] = isolate_hand(region);
-    frames.hand[i] = is_empty(hands[i]) ? nothing : region;
-  });
-  return hands;
-}
-
-std::vector<Mask> follow(SequenceFrames& frames, const std::vector<ColorImage>& colors,
-                         const FinderOptions& finder) {
+// In place of the true masks.
+void find_hands(SequenceFrames& frames, const std::vector<ColorImage>& colors,
+                const FinderOptions& finder, const SequenceRenderer& sequence) {
   HandFollower follower(finder);
   for (std::size_t i = 0; i < colors.size(); ++i) {
     FoundHand found = follower.next(colors[i]);
     frames.hand[i] = std::move(found.hand);
     frames.arm.push_back(std::move(found.arm));
   }
-  return frames.hand;
-}
-
-// In place of the true masks.
-void find_hands(SequenceFrames& frames, const std::vector<ColorImage>& colors,
-                const FinderOptions& finder, const SequenceRenderer& sequence) {
-  const std::vector<Mask> hands =
-      finder.net ? follow(frames, colors, finder) : find_by_color(frames, colors, finder.skin);
   const MeshFrames meshes = mesh_frames(sequence);
-  frames.found.resize(hands.size());
-  parallel_for(hands.size(), 0, [&](std::size_t i) {
-    frames.found[i] = compare_masks(hands[i], true_hand(meshes, i), frames.truth[i],
+  frames.found.resize(colors.size());
+  parallel_for(colors.size(), 0, [&](std::size_t i) {
+    frames.found[i] = compare_masks(frames.hand[i], true_hand(meshes, i), frames.truth[i],
                                     sequence.hand().skeleton, frames.camera);
   });
 }

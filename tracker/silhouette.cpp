@@ -5,21 +5,17 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "cells.h"
 #include "graspdb/core/opencv/opencv_image.h"
 
 namespace graspdb {
 namespace {
 
-constexpr int kSide = 64;      // of what is looked at, in cells
-constexpr int kBoxCells = 36;  // along the longer side of the box, in the middle
-
-// A bit a cell, the lowest to the left: a whole row is compared at once.
-using Cells = std::array<std::uint64_t, kSide>;
+constexpr int kBoxCells = 36;  // of kSide: along the longer side of the box, in the middle
 
 // Costs, as shares of the seen cells, chosen on photoreal training frames with the hand found.
 constexpr double kArmSeen = 0.6;      // of a seen cell that only the arm covers; 1 without either
@@ -64,13 +60,6 @@ int count(const Cells& cells) {
   int total = 0;
   for (const std::uint64_t row : cells) total += std::popcount(row);
   return total;
-}
-
-// Nothing comes in from beyond.
-std::uint64_t row_moved(const Cells& cells, int y, int right, int down) {
-  if (y - down < 0 || y - down >= kSide) return 0;
-  const std::uint64_t row = cells[y - down];
-  return right >= 0 ? row << right : row >> -right;
 }
 
 class Drawing {
@@ -175,22 +164,14 @@ class Overlay {
   bool is_empty() const { return seen_count_ == 0; }
 
   void draw(const Points& joints, double cells_per_m) {
-    hand_ = drawn_hand(joints, cells_per_m);
-    arm_ = drawn_arm(joints, cells_per_m);
+    hand_ = MovableCells(drawn_hand(joints, cells_per_m));
+    arm_ = MovableCells(drawn_arm(joints, cells_per_m));
   }
 
   double cost(int right, int down) const {
-    int bare = 0, of_arm = 0, in_vain = 0;
-    for (int y = 0; y < kSide; ++y) {
-      const std::uint64_t hand = row_moved(hand_, y, right, down);
-      const std::uint64_t arm = row_moved(arm_, y, right, down);
-      const std::uint64_t uncovered = seen_[y] & ~hand;
-      bare += std::popcount(uncovered & ~arm);
-      of_arm += std::popcount(uncovered & arm);
-      in_vain += std::popcount(hand & ~seen_[y] & inside_[y]);
-    }
+    const Overlap cells = overlap_of(seen_, inside_, hand_, arm_, right, down);
     const double moved = std::hypot(right, down) / kBoxCells;
-    return (bare + kArmSeen * of_arm + kNothingSeen * in_vain) / seen_count_ +
+    return (cells.bare + kArmSeen * cells.of_arm + kNothingSeen * cells.in_vain) / seen_count_ +
            kMoved * moved * moved;
   }
 
@@ -218,7 +199,7 @@ class Overlay {
 
   Cells seen_, inside_;  // the latter: the picture
   int seen_count_;
-  Cells hand_{}, arm_{};
+  MovableCells hand_, arm_;
 };
 
 Move best_move(const Points& cells, double cells_per_m, double reach, Overlay& overlay) {

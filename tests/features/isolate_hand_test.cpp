@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "features/pictures.h"
 #include "graspdb/core/random.h"
@@ -153,28 +154,36 @@ Image<Pixel> magnified(const Image<Pixel>& image, int factor) {
   return large;
 }
 
-TEST(FindRegion, OfALargeFrameIsThatOfTheFrameInFewerPixels) {
+std::ptrdiff_t differing(const Mask& one, const Mask& other) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) count += one.data()[i] != other.data()[i];
+  return count;
+}
+
+TEST(FindByColor, OfALargeFrameIsWhatIsFoundInFewerPixels) {
   const ColorImage frame = painted(palm_and_arm(), kSkin);
-  ASSERT_EQ(find_region(frame), palm_and_arm());
+  const FoundHand wanted = find_by_color(frame);
+  ASSERT_EQ(wanted.hand, isolate_hand(palm_and_arm()));
   for (int factor = 2; factor < 5; ++factor) {
-    const Mask wanted = magnified(palm_and_arm(), factor);
-    const std::optional<Mask> region = find_region(magnified(frame, factor));
-    ASSERT_TRUE(region.has_value());
-    std::ptrdiff_t different = 0;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      different += wanted.data()[i] != region->data()[i];
-    }
-    EXPECT_LT(different, area(wanted) / 100) << factor;
+    const FoundHand found = find_by_color(magnified(frame, factor));
+    EXPECT_LT(differing(found.hand, magnified(wanted.hand, factor)), area(found.hand) / 50);
+    EXPECT_LT(differing(found.arm, magnified(wanted.arm, factor)), area(found.arm) / 50);
+    Mask both = found.hand;
+    std::ranges::transform(both, found.arm, both.begin(), std::bit_or());
+    EXPECT_EQ(area(both), area(found.hand) + area(found.arm));
   }
 }
 
-TEST(FindRegion, RoiAndLeastAreaAreInTheFramesPixels) {
+TEST(FindByColor, RoiAndLeastAreaAreInTheFramesPixels) {
   const ColorImage frame = magnified(painted(palm_and_arm(), kSkin), 3);
-  EXPECT_TRUE(find_region(frame, Box{340, 265, 10, 10}));  // the palm begins at x = 348
-  EXPECT_FALSE(find_region(frame, Box{335, 265, 10, 10}));
+  const auto finds = [&](const std::optional<Box>& roi, const SkinOptions& options = {}) {
+    return !is_empty(find_by_color(frame, roi, options).hand);
+  };
+  EXPECT_TRUE(finds(Box{340, 265, 10, 10}));  // the palm begins at x = 348
+  EXPECT_FALSE(finds(Box{335, 265, 10, 10}));
   const auto skin = static_cast<int>(9 * area(palm_and_arm()));
-  EXPECT_TRUE(find_region(frame, {}, {.min_area_px = skin * 9 / 10}));
-  EXPECT_FALSE(find_region(frame, {}, {.min_area_px = skin * 11 / 10}));
+  EXPECT_TRUE(finds({}, {.min_area_px = skin * 9 / 10}));
+  EXPECT_FALSE(finds({}, {.min_area_px = skin * 11 / 10}));
 }
 
 TEST(FindHand, SkinBeforeAWallIsFound) {

@@ -62,8 +62,7 @@ struct FinderOptions {
   SkinOptions skin;
 };
 
-// The hand in a frame. By colour it is find_region() as split_hand() takes a mask's, but for
-// pieces: what is near a hand and of its colour is more often something else.
+// The hand in a frame, by the net or by find_by_color().
 FoundHand find_hand(const ColorImage& frame, const std::optional<Box>& roi = {},
                     const FinderOptions& options = {});
 

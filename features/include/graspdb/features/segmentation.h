@@ -67,12 +67,13 @@ FoundHand split_hand(const Mask& skin, const std::optional<Box>& roi = {},
 // any arm is seen.
 std::optional<Eigen::Vector2d> arm_direction(const FoundHand& found);
 
-// The largest region of segment_skin; none when there is none, or when its hue or the spread of its
-// redness is none of skin. A frame of more than 110,000 pixels is shrunk for that, so that the
-// region's outline is that of pixels twice as wide in one of 640 x 480, which isolate_hand smooths
-// by more; `roi` and min_area_px are in the frame's pixels all the same.
-std::optional<Mask> find_region(const ColorImage& frame, const std::optional<Box>& roi = {},
-                                const SkinOptions& options = {});
+// The largest region of segment_skin, split as split_hand() does, but without pieces around it:
+// what is near a hand and of its colour is more often something else. Nothing when there is no
+// region, or when its hue or the spread of its redness is none of skin. A frame of more than
+// 110,000 pixels is shrunk for that, so that the outlines are those of pixels twice as wide in one
+// of 640 x 480; `roi` and min_area_px are in the frame's pixels all the same.
+FoundHand find_by_color(const ColorImage& frame, const std::optional<Box>& roi = {},
+                        const SkinOptions& options = {});
 
 // The mask with another number of pixels, cut at half.
 Mask resized(const Mask& mask, int width, int height);

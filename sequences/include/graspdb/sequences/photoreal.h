@@ -19,10 +19,9 @@ bool has_photoreal_frames(const SequenceSpec& spec, const std::filesystem::path&
 std::vector<SequenceSpec> with_photoreal_frames(std::vector<SequenceSpec> specs,
                                                 const std::filesystem::path& folder);
 
-// kPhotoreal: the hand is found as in a camera's frames. One that is found by its colour is given
-// with its forearm: evaluate() cuts it after it has added noise, so that without noise the tracker
-// is given what find_hand() finds. kPhotorealTrueMasks: the masks are the sequence's. Throws Error
-// for a picture that is missing or not of the camera's size.
+// kPhotoreal: the hand is found as in a camera's frames, by a HandFollower.
+// kPhotorealTrueMasks: the masks are the sequence's. Throws Error for a picture that is missing or
+// not of the camera's size.
 SequenceFrames photoreal_frames(const SequenceRenderer& sequence,
                                 const std::filesystem::path& folder,
                                 FrameKind kind = FrameKind::kPhotoreal,
