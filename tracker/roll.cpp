@@ -14,7 +14,7 @@ namespace {
 // Of what is seen around the hand: a descriptor's crop is a little wider than the hand's box.
 constexpr double kMargin = 1.15;
 // Pixels a side. Descriptors see less, and turning all of a large hand takes as long as describing.
-constexpr double kLongestSide = 96;
+constexpr double kLongestSide = 128;
 
 Eigen::Matrix3d matrix_of(const Intrinsics& camera) {
   Eigen::Matrix3d image_from_camera;
