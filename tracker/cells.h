@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace graspdb {
@@ -21,7 +22,7 @@ class MovableCells {
   const std::uint64_t* moved(int down) const { return rows_.data() + kSide - down; }
 
  private:
-  std::array<std::uint64_t, 3 * kSide> rows_{};
+  std::array<std::uint64_t, 3 * std::size_t{kSide}> rows_{};
 };
 
 // Numbers of cells.
