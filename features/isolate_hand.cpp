@@ -120,8 +120,18 @@ std::optional<Eigen::Vector2d> arm_direction(const FoundHand& found) {
 
 Mask resized(const Mask& mask, int width, int height) {
   Mask result(width, height);
-  cv::Mat image = as_mat(result);
-  cv::resize(as_mat(mask), image, image.size(), 0, 0, cv::INTER_LINEAR);
+  const std::optional<Box> box = tight_box(mask);
+  if (!box) return result;
+  const cv::Mat from = as_mat(mask), to = as_mat(result);
+  const cv::Size factor(width / mask.width(), height / mask.height());
+  cv::Rect part({0, 0}, from.size()), part_of_result({0, 0}, to.size());
+  if (factor.width * mask.width() == width && factor.height * mask.height() == height) {
+    part = grown(*box, 1, mask);  // the rest stays empty
+    part_of_result = {part.x * factor.width, part.y * factor.height, part.width * factor.width,
+                      part.height * factor.height};
+  }
+  cv::Mat image = to(part_of_result);
+  cv::resize(from(part), image, image.size(), 0, 0, cv::INTER_LINEAR);
   cv::threshold(image, image, 127, 255, cv::THRESH_BINARY);
   return result;
 }
@@ -164,7 +174,7 @@ FoundHand find_by_color(const ColorImage& frame, const std::optional<Box>& roi,
   FoundHand found = split_hand(*region, {}, of_small);
   if (factor == 1) return found;
   const auto as_frame = [&](const Mask& mask) {
-    return is_empty(mask) ? nothing : resized(mask, frame.width(), frame.height());
+    return resized(mask, frame.width(), frame.height());
   };
   return {as_frame(found.hand), as_frame(found.arm)};
 }

@@ -72,11 +72,15 @@ int redness_level(const cv::Mat& redness, const SkinOptions& options) {
 // Violet cloth has a high a* too; what is clearly bluer than grey counts as grey.
 cv::Mat redness_of(const cv::Mat& bgr) {
   constexpr int kBluerThanSkin = kNeutral - 16;
-  cv::Mat lab, channels[3];
+  cv::Mat lab, redness(bgr.size(), CV_8U);
   cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
-  cv::split(lab, channels);
-  channels[1].setTo(kNeutral, channels[2] < kBluerThanSkin);
-  return channels[1];
+  for (int y = 0; y < lab.rows; ++y) {
+    std::transform(lab.ptr<cv::Vec3b>(y), lab.ptr<cv::Vec3b>(y) + lab.cols, redness.ptr(y),
+                   [](const cv::Vec3b& color) {
+                     return color[2] < kBluerThanSkin ? std::uint8_t{kNeutral} : color[1];
+                   });
+  }
+  return redness;
 }
 
 cv::Mat red_skin(const cv::Mat& bgr, const SkinOptions& options) {
