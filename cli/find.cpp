@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "checks.h"
 #include "console.h"
@@ -13,6 +14,7 @@
 #include "graspdb/features/hand_follower.h"
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/finding.h"
+#include "graspdb/tracker/hand_reader.h"
 #include "graspdb/video/frame_source.h"
 #include "verbs.h"
 
@@ -22,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FindArguments {
-  std::string input, out, truth;
+  std::string input, out, truth, database;
   FinderSettings finder;
   bool still = false;
 };
@@ -63,7 +65,7 @@ class FindRun {
  public:
   explicit FindRun(const FindArguments& options)
       : options_(options),
-        follower_(options.finder.options(), options.finder.box()),
+        follower_(finder_options(), options.finder.box()),
         source_(open_source(options.input, options.truth)),
         folder_(options.out, "masks") {}
 
@@ -87,6 +89,15 @@ class FindRun {
   }
 
  private:
+  FinderOptions finder_options() {
+    FinderOptions finder = options_.finder.options();
+    if (options_.database.empty()) return finder;
+    database_ = Database::open(options_.database);
+    search_ = open_search(*database_, kDefaultSearch);
+    finder.unlikeness = unlikeness_to(*database_, *search_, Handedness::kAuto);
+    return finder;
+  }
+
   void one_frame(const InputFrame& frame) {
     if (options_.still || source_->unrelated()) follower_.forget();
     const Mask hand = follower_.next(frame.color).hand;
@@ -98,6 +109,8 @@ class FindRun {
   }
 
   const FindArguments& options_;
+  std::optional<Database> database_;
+  std::unique_ptr<const Search> search_;
   HandFollower follower_;
   std::unique_ptr<FrameSource> source_;
   FrameFolder folder_;
@@ -132,6 +145,9 @@ void add_find(CLI::App& app) {
       ->check(output_folder());
   verb->add_option("--truth", options->truth,
                    "A folder of true masks, named alike: tells how well the found ones agree");
+  verb->add_option("--database", options->database,
+                   "Where a learned finder's hand is like no row of this database and the one of "
+                   "its colour is, that is taken, as `track` does");
   add_still_option(*verb, options->still);
   add_finder_option(*verb, options->finder);
   add_roi_option(*verb, options->finder);

@@ -37,6 +37,8 @@ class SequenceSet {
   explicit SequenceSet(SequenceSetOptions options);
 
   const std::vector<SequenceSpec>& specs() const { return specs_; }
+  // As FinderOptions has it, where a learned finder is used.
+  void choose_hands_by(HandUnlikeness unlikeness) { finder_.unlikeness = std::move(unlikeness); }
 
   // Nothing when --hand or --grasps leave it out: no grasp of its type, or a hand that cannot be
   // closed on its object. Told on stderr.

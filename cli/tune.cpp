@@ -10,6 +10,7 @@
 #include "console.h"
 #include "graspdb/core/error.h"
 #include "graspdb/evaluation/eval_files.h"
+#include "graspdb/tracker/hand_reader.h"
 #include "sequence_set.h"
 #include "tracker_options.h"
 #include "verbs.h"
@@ -93,6 +94,7 @@ void run(const TuneArguments& options) {
   SequenceSet set(options.set);
   const PoseGrid grid(database);
   const auto search = open_search(database, options.search);
+  set.choose_hands_by(unlikeness_to(database, *search, Handedness::kRight));
   std::vector<json> lines;
   for (const TrackerOptions& tracker : settings.trackers) {
     lines.push_back(options_json(tracker));

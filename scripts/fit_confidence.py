@@ -3,11 +3,13 @@
 """Fits the tracker's confidence to the training sequences.
 
     graspdb eval DB --sequences sequences/train --alphas 0,2 --out DIR
-    scripts/fit_confidence.py DIR [--temporal kde]
+    graspdb eval DB --sequences sequences/train --photoreal sequences/photoreal/train --alphas 0 --out PHOTO
+    scripts/fit_confidence.py DIR PHOTO [--temporal kde]
 
 The logistic curve 1 / (1 + exp((distance - half) / width)) of the nearest descriptor's distance that
-makes most likely which answers are right, to 30 degrees of rotation. Prints half and width, as
-tracker/tracker.cpp has them, and how well the curve fits what it was fitted to.
+makes most likely which answers are right, to 30 degrees of rotation; evaluations count alike, however
+many answers they have. Prints half and width, as tracker/tracker.cpp has them, and how well the curve
+fits what it was fitted to.
 """
 
 import argparse
@@ -25,16 +27,17 @@ def curve(distance, half, width):
     return 1 / (1 + numpy.exp((distance - half) / width))
 
 
-def fit(distance, right):
-    """(half, width) of greatest likelihood."""
+def fit(distance, right, weight):
+    """(half, width) of greatest likelihood; `weight` is what an answer counts."""
     if right.all() or not right.any():
         raise SystemExit("fit_confidence.py: answers must be right and wrong, and all are the same")
     inputs = numpy.stack([numpy.ones_like(distance), distance], 1)
+    weighted = inputs * weight[:, None]
     factors = numpy.zeros(2)
     for _ in range(STEPS):
         likely = 1 / (1 + numpy.exp(-inputs @ factors))
-        spread = inputs * (likely * (1 - likely))[:, None]
-        factors += numpy.linalg.solve(spread.T @ inputs, inputs.T @ (right - likely))
+        spread = weighted * (likely * (1 - likely))[:, None]
+        factors += numpy.linalg.solve(spread.T @ inputs, weighted.T @ (right - likely))
     if factors[1] >= 0:
         raise SystemExit("fit_confidence.py: nearer answers are not right more often")
     return -factors[0] / factors[1], -1 / factors[1]
@@ -62,14 +65,17 @@ def answers(directory, temporal):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("directory", type=pathlib.Path)
+    parser.add_argument("directories", type=pathlib.Path, nargs="+", metavar="DIR")
     parser.add_argument("--temporal", default="kde")
     arguments = parser.parse_args()
-    distance, right = answers(arguments.directory, arguments.temporal)
-    half, width = fit(distance, right)
-    error = expected_error(curve(distance, half, width), right)
-    print(f"half {half:.2f}, width {width:.2f}: expected calibration error {error:.3f} on the same "
-          f"{len(right)} answers, of which {right.mean():.0%} are right")
+    evaluations = [answers(directory, arguments.temporal) for directory in arguments.directories]
+    distance, right = (numpy.concatenate(parts) for parts in zip(*evaluations))
+    weight = numpy.concatenate([numpy.full(len(right), 1 / len(right)) for _, right in evaluations])
+    half, width = fit(distance, right, weight)
+    print(f"half {half:.2f}, width {width:.2f}: expected calibration error on the same answers")
+    for directory, (distance, right) in zip(arguments.directories, evaluations):
+        error = expected_error(curve(distance, half, width), right)
+        print(f"{error:.3f} {directory}: {len(right)} answers, of which {right.mean():.0%} are right")
 
 
 if __name__ == "__main__":

@@ -3,12 +3,17 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <memory>
 
+#include "graspdb/database/database.h"
+#include "graspdb/database/search.h"
 #include "graspdb/features/hand_finder.h"
+#include "graspdb/features/hand_follower.h"
 #include "graspdb/features/segmentation.h"
 #include "graspdb/renderer/image_io.h"
 #include "graspdb/sequences/finding.h"
 #include "graspdb/sequences/sequence.h"
+#include "graspdb/tracker/hand_reader.h"
 #include "program.h"
 #include "support/temporary_directory.h"
 #include "support/tripod_sequence.h"
@@ -63,6 +68,29 @@ TEST_F(Find, TheLearnedFinderHasAName) {
   EXPECT_EQ(read_gray(directory_ / "a/hand1.png"), read_gray(directory_ / "b/hand1.png"));
   EXPECT_GT(mask_iou(read_gray(directory_ / "a/hand1.png"), found_[1]), 0.7);
   EXPECT_EQ(file.code, 0) << file.err;
+}
+
+TEST_F(Find, ADatabaseChoosesBetweenNetAndColor) {
+  ASSERT_EQ(testing::build_tiny(path("tiny.graspdb")).code, 0);
+  const std::string find = "find " + path("frames") + " --out " + path("masks") + " --database ";
+  const Outcome outcome = run_program(find + path("tiny.graspdb"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Database database = Database::open(path("tiny.graspdb"));
+  const auto search = open_search(database, kDefaultSearch);
+  HandFollower follower({.net = std::make_shared<HandFinder>(HandFinder::load(finder_file("hand"))),
+                         .unlikeness = unlikeness_to(database, *search, Handedness::kAuto)});
+  for (const std::string name : {"hand0.png", "hand1.png"}) {
+    const Mask expected = follower.next(read_color(directory_ / ("frames/" + name))).hand;
+    EXPECT_EQ(read_gray(directory_ / ("masks/" + name)), expected) << name;
+  }
+}
+
+TEST_F(Find, ADatabaseThatIsNoneIsToldBeforeAnyMask) {
+  const Outcome outcome = run_program("find " + path("frames") + " --out " + path("masks") +
+                                      " --database " + path("frames/hand0.png"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("hand0.png"));
+  EXPECT_FALSE(fs::exists(directory_ / "masks"));
 }
 
 TEST_F(Find, TruthTellsHowWellMasksAgree) {

@@ -101,5 +101,65 @@ TEST(HandFollower, TheRegionAskedForDecidesWhichHandIsFollowed) {
   EXPECT_FALSE(next(follow, {kLarger}));
 }
 
+// What the net takes for the hand has no colour of skin; what has is to the net a smaller hand.
+class TwoFinders : public ::testing::Test {
+ protected:
+  static constexpr Box kNets{100, 180, 100, 120}, kColors{400, 200, 72, 64};
+
+  static ColorImage frame(bool with_skin = true) {
+    ColorImage frame(640, 480);
+    paint(frame, kNets, {160, 40, 200});
+    if (!with_skin) return frame;
+    for (int x = kColors.x; x < kColors.x + kColors.width; ++x)
+      paint(frame, {x, kColors.y, 1, kColors.height},
+            {110, 140, static_cast<std::uint8_t>(160 + (x - kColors.x) / 2)});
+    return frame;
+  }
+
+  // Where the other one's is 1.
+  HandFollower follower(double net_unlike, double color_unlike) {
+    return HandFollower({.net = std::make_shared<HandFinder>(color_finder()),
+                         .unlikeness = [=, this](const ColorImage& seen, const Mask& hand) {
+                           EXPECT_EQ(seen.width(), hand.width());
+                           ++asked_;
+                           return hand.at(kNets.x + 40, kNets.y + 40) != 0 ? net_unlike
+                                                                           : color_unlike;
+                         }});
+  }
+
+  static bool takes_color(HandFollower& follow, const ColorImage& seen) {
+    const Box box = tight_box(follow.next(seen).hand).value();
+    return box.x >= kColors.x - 4;
+  }
+
+  int asked_ = 0;
+};
+
+TEST_F(TwoFinders, TheColorsHandIsTakenWhenItIsClearlyLikelier) {
+  HandFollower nearly = follower(1, 0.9), clearly = follower(1, 0.8);
+  EXPECT_FALSE(takes_color(nearly, frame()));
+  EXPECT_TRUE(takes_color(clearly, frame()));
+}
+
+TEST_F(TwoFinders, ColorIsNotAskedWhereNothingIsUnlikeAHand) {
+  HandFollower follow = follower(0, 0);
+  EXPECT_FALSE(takes_color(follow, frame()));
+  EXPECT_EQ(asked_, 1);
+}
+
+TEST_F(TwoFinders, WithoutAnotherHandTheNetsStays) {
+  HandFollower follow = follower(1, 0.1);
+  EXPECT_FALSE(takes_color(follow, frame(false)));
+}
+
+TEST_F(TwoFinders, AHandThatIsFollowedIsLeftForNoneElsewhere) {
+  HandFollower follow = follower(1, 0.1);
+  takes_color(follow, frame(false));
+  EXPECT_FALSE(takes_color(follow, frame()));
+  follow.forget();
+  EXPECT_TRUE(takes_color(follow, frame()));
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(takes_color(follow, frame())) << i;
+}
+
 }  // namespace
 }  // namespace graspdb

@@ -22,11 +22,21 @@ class FitConfidence(unittest.TestCase):
 
     def test_finds_the_curve_that_answers_were_drawn_from(self):
         distance, right = self.drawn(3.3, 0.9)
-        half, width = fit_confidence.fit(distance, right)
+        half, width = fit_confidence.fit(distance, right, numpy.ones_like(distance))
         self.assertAlmostEqual(half, 3.3, delta=0.05)
         self.assertAlmostEqual(width, 0.9, delta=0.05)
         self.assertLess(fit_confidence.expected_error(
             fit_confidence.curve(distance, half, width), right), 0.02)
+
+    def test_three_answers_of_a_third_count_as_one(self):
+        distance, right = self.drawn(3.3, 0.9, 1000)
+        once = fit_confidence.fit(distance, right, numpy.ones_like(distance))
+        some = slice(0, 300)
+        thrice = fit_confidence.fit(
+            numpy.concatenate([numpy.tile(distance[some], 3), distance[300:]]),
+            numpy.concatenate([numpy.tile(right[some], 3), right[300:]]),
+            numpy.concatenate([numpy.full(900, 1 / 3), numpy.ones(700)]))
+        numpy.testing.assert_allclose(thrice, once, rtol=1e-9)
 
     def test_a_confidence_that_is_always_wrong_has_the_greatest_error(self):
         confidence = numpy.array([1.0, 1.0, 0.0])
@@ -37,7 +47,7 @@ class FitConfidence(unittest.TestCase):
         distance, right = self.drawn(3.3, 0.9, 1000)
         for wrong in (numpy.ones_like(right), ~right):
             with self.assertRaises(SystemExit):
-                fit_confidence.fit(distance, wrong)
+                fit_confidence.fit(distance, wrong, numpy.ones_like(distance))
 
     def test_reads_only_answers_of_the_model(self):
         with tempfile.TemporaryDirectory() as folder:

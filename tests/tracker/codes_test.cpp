@@ -111,11 +111,11 @@ TEST_F(CodeTracker, MergedAnswersFollowTheLineOfPosesOverCodes) {
 }
 
 TEST_F(CodeTracker, OptionsAndConfidenceAreThoseOfCodes) {
-  write({1}, 14);  // in 64 bytes
+  write({1}, 12);  // in 64 bytes
   EXPECT_EQ(descriptor_kind(*database_), DescriptorKind::kLearned);
   const TrackerOptions tuned = tuned_options(TemporalModel::kKde, DescriptorKind::kLearned);
   const Estimate estimate = answer(tuned);
-  EXPECT_NEAR(estimate.distance, 14 * 8 / 255.0, 1e-6);
+  EXPECT_NEAR(estimate.distance, 12 * 8 / 255.0, 1e-6);
   EXPECT_NEAR(estimate.confidence, 0.5, 0.05);
   EXPECT_TRUE(estimate.valid);
 

@@ -5,7 +5,10 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
+#include "features/color_finder.h"
 #include "graspdb/core/error.h"
 #include "tracker/bars.h"
 #include "tracker/plain_options.h"
@@ -151,6 +154,42 @@ TEST_F(Reader, AMirroredFrameOfTheOtherHandGivesTheMirroredAnswer) {
   for (int i = 0; i < kKeypointCount; ++i) {
     EXPECT_LT((kFrameCamera.project(other.joints.col(i)) - other.joints_px.col(i)).norm(), 1e-6);
   }
+}
+
+// The net takes the larger of two blocks for the hand, colour the one that has a hue of skin.
+TEST_F(Reader, OfTwoFindersTheOneIsRightWhoseHandIsNearerToARow) {
+  Frame frame(200);
+  testing::paint(frame.color, {20, 60, 100, 110}, {160, 40, 200});
+  ReaderOptions options;
+  options.finder.net = std::make_shared<HandFinder>(testing::color_finder());
+  const FoundHand net = find_hand(frame.color, {}, options.finder),
+                  color = find_by_color(frame.color);
+  const HandUnlikeness unlikeness = unlikeness_to(*database_, *search_, Handedness::kRight);
+  const double limit = unlikeness(frame.color, net.hand);
+  EXPECT_LT(unlikeness(frame.color, color.hand), 0.8 * limit);
+  EXPECT_EQ(reader(options).read(frame.color, kFrameCamera).hand, color.hand);
+}
+
+TEST_F(Reader, UnlikenessIsTheDistanceOfTheNearestRowOfEitherHand) {
+  const testing::BarPicture seen = testing::bar(radians(20), 30);
+  ColorImage color(testing::kSide, testing::kSide);
+  std::ranges::transform(seen.gray, color.begin(), [](std::uint8_t gray) {
+    return Bgr{gray, gray, gray};
+  });
+  const auto distance = [&](const GrayImage& gray, const Mask& mask) {
+    const Descriptor hog = describe(gray, mask, HogMode::kPaper);
+    return std::sqrt(static_cast<double>(search_->nearest(hog, 1).front().squared_distance)) / 255;
+  };
+  const auto unlikeness = [&](Handedness handedness) {
+    return unlikeness_to(*database_, *search_, handedness)(color, seen.mask);
+  };
+  const double right = distance(seen.gray, seen.mask),
+               left = distance(mirrored(seen.gray), mirrored(seen.mask));
+  EXPECT_GT(std::min(right, left), 0);
+  EXPECT_NE(right, left);
+  EXPECT_DOUBLE_EQ(unlikeness(Handedness::kRight), right);
+  EXPECT_DOUBLE_EQ(unlikeness(Handedness::kLeft), left);
+  EXPECT_DOUBLE_EQ(unlikeness(Handedness::kAuto), std::min(right, left));
 }
 
 TEST_F(Reader, OpensASearchByItsNameAndRefusesAnother) {

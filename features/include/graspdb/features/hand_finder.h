@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,10 +57,16 @@ class HandFinder {
   std::unique_ptr<State> state_;
 };
 
+// How unlike any hand what a mask shows in a frame is; 0: not at all. The mask is not empty.
+using HandUnlikeness = std::function<double(const ColorImage& frame, const Mask& hand)>;
+
 // How the hand is found in a frame.
 struct FinderOptions {
   std::shared_ptr<const HandFinder> net;  // null: by the colour of skin
   SkinOptions skin;
+  // By which HandFollower chooses between the net's hand and that of the colour of skin; null: the
+  // net's.
+  HandUnlikeness unlikeness = {};
 };
 
 // The hand in a frame, by the net or by find_by_color().

@@ -20,15 +20,21 @@ class HandFollower {
   // has gone at once, and every fourth frame, as it may show more of the hand. Another hand, of
   // which much more is seen, is turned to within 20 frames. Four looks at most. By colour each
   // frame is looked at by itself.
+  // With FinderOptions::unlikeness, where the net finds a hand, find_by_color() is asked, too. Its
+  // hand is taken when it is clearly less unlike one, and begins a video or lies where the net's or
+  // the last one does.
   FoundHand next(const ColorImage& frame);
   // The next frame is of another video.
   void forget();
 
  private:
   std::optional<FoundHand> follow(const ColorImage& frame);
+  FoundHand net_hand(const ColorImage& frame);
+  FoundHand likelier(const ColorImage& frame, FoundHand found) const;
 
   FinderOptions options_;
   std::optional<Box> roi_, last_;
+  std::optional<Box> taken_;  // the last hand that was taken, the net's or another
   double last_px_ = 0;
   int followed_ = 0;  // frames since another hand could have been taken
 };

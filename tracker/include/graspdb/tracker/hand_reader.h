@@ -33,6 +33,13 @@ struct ReaderOptions {
   bool still = false;  // frames are photographs that have nothing to do with each other
 };
 
+// How unlike the database's hands what is seen is: the distance of the nearest row, of either hand
+// for kAuto, and 0 for a code that is very near. Readers with a learned finder choose by it; this
+// is for those who find hands without a reader (FinderOptions). Database and search must outlive
+// it.
+HandUnlikeness unlikeness_to(const Database& database, const Search& search, Handedness handedness,
+                             std::shared_ptr<const Describer> describer = nullptr);
+
 class HandednessEvidence;
 
 // Frames of one video, in their order. Not thread-safe; the database must outlive it, and so must a
@@ -57,22 +64,23 @@ class HandReader {
   // The two halves of read(), for several readers of the same frame.
   Observation observe(const ColorImage& frame, const Intrinsics& camera);
   Observation observe(GrayImage gray, const Mask& mask, const Intrinsics& camera) const;
-  Estimate read(const Observation& seen);
+  Estimate read(Observation seen);
 
   // The next frame is of another video.
   void forget();
 
-  const Search& search() const { return search_; }
+  const Search& search() const { return *search_; }
 
  private:
+  HandReader(const Database& database, const ReaderOptions& options,
+             std::shared_ptr<const Search> search, std::shared_ptr<const Describer> describer);
   Estimate read_as(bool left, const Observation& seen);
   Estimate read_as_either(const Observation& seen);
 
   ReaderOptions options_;
-  HandFollower follower_;
-  std::unique_ptr<const Search> own_search_;
-  const Search& search_;
+  std::shared_ptr<const Search> search_;
   Tracker right_, left_;
+  HandFollower follower_;
   std::unique_ptr<HandednessEvidence> evidence_;
 };
 
