@@ -92,6 +92,10 @@ class FindRun {
   FinderOptions finder_options() {
     FinderOptions finder = options_.finder.options();
     if (options_.database.empty()) return finder;
+    if (!finder.net)
+      throw Error({.key = "--database",
+                   .expected = "a learned finder beside it",
+                   .found = options_.finder.finder});
     database_ = Database::open(options_.database);
     search_ = open_search(*database_, kDefaultSearch);
     finder.unlikeness = unlikeness_to(*database_, *search_, Handedness::kAuto);
@@ -146,8 +150,8 @@ void add_find(CLI::App& app) {
   verb->add_option("--truth", options->truth,
                    "A folder of true masks, named alike: tells how well the found ones agree");
   verb->add_option("--database", options->database,
-                   "Where a learned finder's hand is like no row of this database and the one of "
-                   "its colour is, that is taken, as `track` does");
+                   "Where a learned finder's hand is near to no row of this database, it chooses "
+                   "between that hand and the one of its colour, as `track` does");
   add_still_option(*verb, options->still);
   add_finder_option(*verb, options->finder);
   add_roi_option(*verb, options->finder);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "checks.h"
@@ -48,11 +47,6 @@ ColorImage hand_picture(const Query& query) {
   return square;
 }
 
-// A row's 255 counts as 1, as in `graspdb track`.
-double distance(const Neighbor& neighbor) {
-  return std::sqrt(static_cast<double>(neighbor.squared_distance)) / 255;
-}
-
 void print_json(const Database& database, const Query& query,
                 const std::vector<Neighbor>& neighbors) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -60,7 +54,7 @@ void print_json(const Database& database, const Query& query,
     const std::size_t row = neighbor.row;
     const int grasp = database.grasp(row);
     list.push_back({{"row", row},
-                    {"distance", distance(neighbor)},
+                    {"distance", descriptor_distance(neighbor)},
                     {"grasp", {{"id", grasp}, {"name", grasp_name(database.info(), grasp)}}},
                     {"step", database.step(row)},
                     {"view", database.view(row)},
@@ -78,7 +72,7 @@ void print_text(const Database& database, const std::vector<Neighbor>& neighbors
   fmt::print("distance      row  grasp                           step  view\n");
   for (const Neighbor& neighbor : neighbors) {
     const std::size_t row = neighbor.row;
-    fmt::print("{:8.3f} {:8}  {:5} {:<25} {:4} {:5}  {}, {}\n", distance(neighbor), row,
+    fmt::print("{:8.3f} {:8}  {:5} {:<25} {:4} {:5}  {}, {}\n", descriptor_distance(neighbor), row,
                database.grasp(row), grasp_name(database.info(), database.grasp(row)),
                database.step(row), database.view(row),
                database.info().hands[database.hand(row)].name,

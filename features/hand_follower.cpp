@@ -47,7 +47,6 @@ void HandFollower::forget() {
 }
 
 std::optional<FoundHand> HandFollower::follow(const ColorImage& frame) {
-  if (last_ && !is_within(*last_, frame)) forget();
   std::optional<FoundHand> again;
   if (last_) again = options_.net->find_again(frame, *last_);
   const bool some_lost = !again || pixels(*again) < kSuddenly * last_px_;
@@ -76,14 +75,18 @@ FoundHand HandFollower::likelier(const ColorImage& frame, FoundHand found) const
   if (!box) return found;
   const bool may_be =
       !taken_ || gap_between(*box, *taken_) == 0 || touch(by_color.hand, found.hand);
-  const bool is_likelier = may_be && options_.unlikeness(frame, by_color.hand) < kClearly * unlike;
-  return is_likelier ? by_color : found;
+  if (may_be && options_.unlikeness(frame, by_color.hand) < kClearly * unlike) return by_color;
+  return found;
 }
 
 FoundHand HandFollower::next(const ColorImage& frame) {
   if (!options_.net) return find_hand(frame, roi_, options_);
+  for (const std::optional<Box>& before : {last_, taken_}) {
+    if (before && !is_within(*before, frame)) forget();
+  }
   FoundHand found = net_hand(frame);
-  if (last_ && options_.unlikeness) found = likelier(frame, std::move(found));
+  if (!last_) return found;
+  if (options_.unlikeness) found = likelier(frame, std::move(found));
   taken_ = tight_box(found.hand);
   return found;
 }

@@ -43,6 +43,13 @@ def fit(distance, right, weight):
     return -factors[0] / factors[1], -1 / factors[1]
 
 
+def fit_alike(evaluations):
+    """fit() where each evaluation, (distance, right), counts as much as any other."""
+    weight = [numpy.full(len(right), 1 / len(right)) for _, right in evaluations]
+    distance, right = zip(*evaluations)
+    return fit(numpy.concatenate(distance), numpy.concatenate(right), numpy.concatenate(weight))
+
+
 def expected_error(confidence, right):
     """Of ten equal bins: the mean over answers of how far the bin's confidence is from the truth."""
     bins = numpy.minimum((confidence * 10).astype(int), 9)
@@ -69,9 +76,7 @@ def main():
     parser.add_argument("--temporal", default="kde")
     arguments = parser.parse_args()
     evaluations = [answers(directory, arguments.temporal) for directory in arguments.directories]
-    distance, right = (numpy.concatenate(parts) for parts in zip(*evaluations))
-    weight = numpy.concatenate([numpy.full(len(right), 1 / len(right)) for _, right in evaluations])
-    half, width = fit(distance, right, weight)
+    half, width = fit_alike(evaluations)
     print(f"half {half:.2f}, width {width:.2f}: expected calibration error on the same answers")
     for directory, (distance, right) in zip(arguments.directories, evaluations):
         error = expected_error(curve(distance, half, width), right)

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-
 #include "graspdb/tracker/tracker.h"
 #include "placement.h"
 
 namespace graspdb {
-
-// Where a row's 255 counts as 1.
-inline double descriptor_distance(const Neighbor& neighbor) {
-  return std::sqrt(static_cast<double>(neighbor.squared_distance)) / 255;
-}
 
 // A frame as a camera sees it that is rolled about its optical axis: the same hand, near other
 // rows.

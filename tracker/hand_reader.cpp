@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "candidate.h"
 #include "graspdb/core/error.h"
 #include "graspdb/core/stopwatch.h"
 #include "handedness.h"
@@ -40,6 +39,7 @@ FinderOptions finder_options(const Database& database, const Search& search,
                              const ReaderOptions& options,
                              std::shared_ptr<const Describer> describer) {
   FinderOptions finder = options.finder;
+  if (finder.unlikeness) return finder;
   finder.unlikeness = unlikeness_to(database, search, options.handedness, std::move(describer));
   return finder;
 }
@@ -97,7 +97,7 @@ Estimate HandReader::read(const ColorImage& frame, const Mask& mask, const Intri
   const Stopwatch watch;
   Observation seen = observe(to_gray(frame), mask, camera);
   seen.segment_ms = watch.ms();
-  return read(seen);
+  return read(std::move(seen));
 }
 
 Observation HandReader::observe(const ColorImage& frame, const Intrinsics& camera) {

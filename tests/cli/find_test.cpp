@@ -85,6 +85,13 @@ TEST_F(Find, ADatabaseChoosesBetweenNetAndColor) {
   }
 }
 
+TEST_F(Find, ADatabaseHasNoChoiceBesideARuleOfColor) {
+  const Outcome outcome = run_program("find " + path("frames") + " --out " + path("masks") +
+                                      " --finder redness --database " + path("absent"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("'--database': expected a learned finder"));
+}
+
 TEST_F(Find, ADatabaseThatIsNoneIsToldBeforeAnyMask) {
   const Outcome outcome = run_program("find " + path("frames") + " --out " + path("masks") +
                                       " --database " + path("frames/hand0.png"));

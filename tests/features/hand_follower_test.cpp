@@ -104,7 +104,7 @@ TEST(HandFollower, TheRegionAskedForDecidesWhichHandIsFollowed) {
 // What the net takes for the hand has no colour of skin; what has is to the net a smaller hand.
 class TwoFinders : public ::testing::Test {
  protected:
-  static constexpr Box kNets{100, 180, 100, 120}, kColors{400, 200, 72, 64};
+  static constexpr Box kNets{100, 180, 100, 120}, kColors{540, 200, 72, 64};
 
   static ColorImage frame(bool with_skin = true) {
     ColorImage frame(640, 480);
@@ -145,6 +145,34 @@ TEST_F(TwoFinders, ColorIsNotAskedWhereNothingIsUnlikeAHand) {
   HandFollower follow = follower(0, 0);
   EXPECT_FALSE(takes_color(follow, frame()));
   EXPECT_EQ(asked_, 1);
+}
+
+// The skin is a part of what the net sees, which has moved away from where the last hand was.
+TEST_F(TwoFinders, AHandThatOverlapsTheNetsMayBeTaken) {
+  HandFollower follow({.net = std::make_shared<HandFinder>(color_finder()),
+                       .unlikeness = [](const ColorImage&, const Mask& hand) {
+                         return testing::area(hand) > 2 * kColors.width * kColors.height ? 1 : 0.1;
+                       }});
+  follow.next(frame(false));
+  ColorImage moved = frame();
+  paint(moved, kNets, {0, 0, 0});
+  paint(moved, {kColors.x - 100, kColors.y - 40, 100, 140}, {160, 40, 200});
+  EXPECT_LT(tight_box(follow.next(moved).hand)->width, kColors.width + 10);
+}
+
+TEST_F(TwoFinders, AFrameWithoutAHandDoesNotMakeItJump) {
+  HandFollower follow = follower(1, 0.1);
+  follow.next(frame(false));
+  follow.next(ColorImage(640, 480));
+  EXPECT_FALSE(takes_color(follow, frame()));
+}
+
+TEST_F(TwoFinders, PicturesOfAnotherSizeAreAnotherVideo) {
+  HandFollower follow = follower(1, 0.1);
+  EXPECT_TRUE(takes_color(follow, frame()));
+  ColorImage small(320, 240);
+  paint(small, {20, 90, 100, 120}, {160, 40, 200});
+  EXPECT_EQ(tight_box(follow.next(small).hand), (Box{20, 90, 100, 120}));
 }
 
 TEST_F(TwoFinders, WithoutAnotherHandTheNetsStays) {

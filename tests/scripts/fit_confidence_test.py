@@ -28,15 +28,11 @@ class FitConfidence(unittest.TestCase):
         self.assertLess(fit_confidence.expected_error(
             fit_confidence.curve(distance, half, width), right), 0.02)
 
-    def test_three_answers_of_a_third_count_as_one(self):
-        distance, right = self.drawn(3.3, 0.9, 1000)
-        once = fit_confidence.fit(distance, right, numpy.ones_like(distance))
-        some = slice(0, 300)
-        thrice = fit_confidence.fit(
-            numpy.concatenate([numpy.tile(distance[some], 3), distance[300:]]),
-            numpy.concatenate([numpy.tile(right[some], 3), right[300:]]),
-            numpy.concatenate([numpy.full(900, 1 / 3), numpy.ones(700)]))
-        numpy.testing.assert_allclose(thrice, once, rtol=1e-9)
+    def test_evaluations_count_alike_however_many_answers_they_have(self):
+        few, many = self.drawn(3.3, 0.9, 300), self.drawn(3.0, 0.5, 900)
+        as_many = tuple(numpy.tile(values, 3) for values in few)
+        expected = fit_confidence.fit(*(numpy.concatenate(parts) for parts in zip(as_many, many)), numpy.ones(1800))
+        numpy.testing.assert_allclose(fit_confidence.fit_alike([few, many]), expected, rtol=1e-9)
 
     def test_a_confidence_that_is_always_wrong_has_the_greatest_error(self):
         confidence = numpy.array([1.0, 1.0, 0.0])

@@ -110,6 +110,21 @@ TEST_F(CodeTracker, MergedAnswersFollowTheLineOfPosesOverCodes) {
   }
 }
 
+TEST_F(CodeTracker, WhatIsVeryNearToARowIsNotUnlikeAHand) {
+  ColorImage color(testing::kSide, testing::kSide);
+  std::ranges::transform(picture_.gray, color.begin(), [](std::uint8_t gray) {
+    return Bgr{gray, gray, gray};
+  });
+  const auto unlikeness = [&] {
+    return unlikeness_to(*database_, *search_, Handedness::kRight, describer_)(color,
+                                                                               picture_.mask);
+  };
+  write({1}, 7);  // in 64 bytes
+  EXPECT_EQ(unlikeness(), 0);
+  write({1}, 9);
+  EXPECT_NEAR(unlikeness(), 9 * 8 / 255.0, 1e-6);
+}
+
 TEST_F(CodeTracker, OptionsAndConfidenceAreThoseOfCodes) {
   write({1}, 12);  // in 64 bytes
   EXPECT_EQ(descriptor_kind(*database_), DescriptorKind::kLearned);

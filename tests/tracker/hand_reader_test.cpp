@@ -168,6 +168,8 @@ TEST_F(Reader, OfTwoFindersTheOneIsRightWhoseHandIsNearerToARow) {
   const double limit = unlikeness(frame.color, net.hand);
   EXPECT_LT(unlikeness(frame.color, color.hand), 0.8 * limit);
   EXPECT_EQ(reader(options).read(frame.color, kFrameCamera).hand, color.hand);
+  options.finder.unlikeness = [](const ColorImage&, const Mask&) { return 0; };
+  EXPECT_EQ(reader(options).read(frame.color, kFrameCamera).hand, net.hand);
 }
 
 TEST_F(Reader, UnlikenessIsTheDistanceOfTheNearestRowOfEitherHand) {

@@ -2,6 +2,7 @@
 // Nearest neighbours among a database's descriptors: embeddings where it has them, else HOGs.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,6 +20,11 @@ struct Neighbor {
   std::uint32_t squared_distance = 0;  // between the u8 descriptors
   bool operator==(const Neighbor&) const = default;
 };
+
+// Its distance where a row's 255 counts as 1.
+inline double descriptor_distance(const Neighbor& neighbor) {
+  return std::sqrt(static_cast<double>(neighbor.squared_distance)) / 255;
+}
 
 // Searching is thread-safe. The database must outlive the search.
 class Search {

@@ -20,9 +20,9 @@ class HandFollower {
   // has gone at once, and every fourth frame, as it may show more of the hand. Another hand, of
   // which much more is seen, is turned to within 20 frames. Four looks at most. By colour each
   // frame is looked at by itself.
-  // With FinderOptions::unlikeness, where the net finds a hand, find_by_color() is asked, too. Its
-  // hand is taken when it is clearly less unlike one, and begins a video or lies where the net's or
-  // the last one does.
+  // With FinderOptions::unlikeness: where the net's hand is unlike one (not 0), find_by_color() is
+  // asked, too, in `roi` when given. Its hand is taken when it is clearly less unlike one, and is
+  // the first of a video or lies where the net's or the last one does.
   FoundHand next(const ColorImage& frame);
   // The next frame is of another video.
   void forget();

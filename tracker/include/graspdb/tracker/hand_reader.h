@@ -26,7 +26,8 @@ enum class Handedness {
 struct ReaderOptions {
   std::optional<TrackerOptions> tracker;  // absent: kde, as tuned for the database's rows
   // By colour, unless told: {.net = std::make_shared<HandFinder>(HandFinder::load(file))}, where
-  // finder_file("hand") is ours.
+  // finder_file("hand") is ours. Its `unlikeness` is unlikeness_to() unless one is given; with one
+  // that is always 0 the net's hand is taken.
   FinderOptions finder;
   std::optional<Box> roi;  // pixels; the hand that is followed begins in it
   Handedness handedness = Handedness::kRight;
@@ -35,8 +36,8 @@ struct ReaderOptions {
 
 // How unlike the database's hands what is seen is: the distance of the nearest row, of either hand
 // for kAuto, and 0 for a code that is very near. Readers with a learned finder choose by it; this
-// is for those who find hands without a reader (FinderOptions). Database and search must outlive
-// it.
+// is for those who find hands without a reader (FinderOptions). The search must outlive it. Without
+// a describer it makes its own, and throws Error as that does.
 HandUnlikeness unlikeness_to(const Database& database, const Search& search, Handedness handedness,
                              std::shared_ptr<const Describer> describer = nullptr);
 

@@ -119,7 +119,8 @@ struct Hypothesis {
 
 struct StageTimes {  // milliseconds
   double segment = 0, describe = 0, search = 0, temporal = 0;
-  double total = 0;  // of all of them and what lies between; the first and this are HandReader's
+  double total = 0;  // of all of them and what lies between; the first and this are HandReader's.
+                     // To choose between two finders' hands is part of `segment`.
 };
 
 // Why a frame has no answer.
