@@ -12,7 +12,6 @@
 #include "graspdb/evaluation/evaluate.h"
 #include "graspdb/evaluation/nearest_object.h"
 #include "graspdb/evaluation/tables.h"
-#include "graspdb/tracker/hand_reader.h"
 #include "sequence_set.h"
 #include "tracker_options.h"
 #include "verbs.h"
@@ -55,7 +54,7 @@ void run(const EvalArguments& options) {
   if (!options.out.empty()) claim_folder(options.out, eval_content());
   const PoseGrid grid(database);
   const auto search = open_search(database, options.tracker.search);
-  set.choose_hands_by(unlikeness_to(database, *search, Handedness::kRight));
+  set.choose_hands_by(database, *search);
   const EvalOptions settings = eval_options(options, database);
   const DatabaseObjects objects(database);
   EvalReport report;

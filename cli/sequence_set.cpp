@@ -10,6 +10,7 @@
 #include "graspdb/core/error.h"
 #include "graspdb/hand/rig/rig.h"
 #include "graspdb/sequences/photoreal.h"
+#include "graspdb/tracker/hand_reader.h"
 
 namespace graspdb::cli {
 namespace {
@@ -65,6 +66,10 @@ std::optional<SequenceRenderer> SequenceSet::renderer(const SequenceSpec& own) {
   } catch (const Error& error) {
     return leave_out(own.name, error.what());
   }
+}
+
+void SequenceSet::choose_hands_by(const Database& database, const Search& search) {
+  if (finder_.net) finder_.unlikeness = unlikeness_to(database, search, Handedness::kRight);
 }
 
 SequenceFrames SequenceSet::frames(const SequenceRenderer& renderer) const {

@@ -37,8 +37,9 @@ class SequenceSet {
   explicit SequenceSet(SequenceSetOptions options);
 
   const std::vector<SequenceSpec>& specs() const { return specs_; }
-  // As FinderOptions has it, where a learned finder is used.
-  void choose_hands_by(HandUnlikeness unlikeness) { finder_.unlikeness = std::move(unlikeness); }
+  // Where a learned finder is used, between its hand and that of its colour (FinderOptions). The
+  // search must outlive it.
+  void choose_hands_by(const Database& database, const Search& search);
 
   // Nothing when --hand or --grasps leave it out: no grasp of its type, or a hand that cannot be
   // closed on its object. Told on stderr.

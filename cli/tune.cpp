@@ -10,7 +10,6 @@
 #include "console.h"
 #include "graspdb/core/error.h"
 #include "graspdb/evaluation/eval_files.h"
-#include "graspdb/tracker/hand_reader.h"
 #include "sequence_set.h"
 #include "tracker_options.h"
 #include "verbs.h"
@@ -94,7 +93,7 @@ void run(const TuneArguments& options) {
   SequenceSet set(options.set);
   const PoseGrid grid(database);
   const auto search = open_search(database, options.search);
-  set.choose_hands_by(unlikeness_to(database, *search, Handedness::kRight));
+  set.choose_hands_by(database, *search);
   std::vector<json> lines;
   for (const TrackerOptions& tracker : settings.trackers) {
     lines.push_back(options_json(tracker));

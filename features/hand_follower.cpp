@@ -68,14 +68,15 @@ FoundHand HandFollower::net_hand(const ColorImage& frame) {
 }
 
 FoundHand HandFollower::likelier(const ColorImage& frame, FoundHand found) const {
-  const double unlike = options_.unlikeness(frame, found.hand);
+  const GrayImage gray = to_gray(frame);
+  const double unlike = options_.unlikeness(gray, found.hand);
   if (unlike == 0) return found;
   FoundHand by_color = find_by_color(frame, roi_, options_.skin);
   const std::optional<Box> box = tight_box(by_color.hand);
   if (!box) return found;
   const bool may_be =
       !taken_ || gap_between(*box, *taken_) == 0 || touch(by_color.hand, found.hand);
-  if (may_be && options_.unlikeness(frame, by_color.hand) < kClearly * unlike) return by_color;
+  if (may_be && options_.unlikeness(gray, by_color.hand) < kClearly * unlike) return by_color;
   return found;
 }
 

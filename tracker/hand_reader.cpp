@@ -50,8 +50,7 @@ HandUnlikeness unlikeness_to(const Database& database, const Search& search, Han
                              std::shared_ptr<const Describer> given) {
   const auto describer = given ? std::move(given) : std::make_shared<const Describer>(database);
   const double very_near = descriptor_kind(database) == DescriptorKind::kLearned ? kVeryNear : 0;
-  return [&search, handedness, describer, very_near](const ColorImage& frame, const Mask& hand) {
-    const GrayImage gray = to_gray(frame);
+  return [&search, handedness, describer, very_near](const GrayImage& gray, const Mask& hand) {
     double distance = std::numeric_limits<double>::infinity();
     if (handedness != Handedness::kLeft)
       distance = distance_to(search, describer->describe(gray, hand));

@@ -119,7 +119,7 @@ class TwoFinders : public ::testing::Test {
   // Where the other one's is 1.
   HandFollower follower(double net_unlike, double color_unlike) {
     return HandFollower({.net = std::make_shared<HandFinder>(color_finder()),
-                         .unlikeness = [=, this](const ColorImage& seen, const Mask& hand) {
+                         .unlikeness = [=, this](const GrayImage& seen, const Mask& hand) {
                            EXPECT_EQ(seen.width(), hand.width());
                            ++asked_;
                            return hand.at(kNets.x + 40, kNets.y + 40) != 0 ? net_unlike
@@ -150,7 +150,7 @@ TEST_F(TwoFinders, ColorIsNotAskedWhereNothingIsUnlikeAHand) {
 // The skin is a part of what the net sees, which has moved away from where the last hand was.
 TEST_F(TwoFinders, AHandThatOverlapsTheNetsMayBeTaken) {
   HandFollower follow({.net = std::make_shared<HandFinder>(color_finder()),
-                       .unlikeness = [](const ColorImage&, const Mask& hand) {
+                       .unlikeness = [](const GrayImage&, const Mask& hand) {
                          return testing::area(hand) > 2 * kColors.width * kColors.height ? 1 : 0.1;
                        }});
   follow.next(frame(false));

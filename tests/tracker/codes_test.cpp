@@ -111,12 +111,8 @@ TEST_F(CodeTracker, MergedAnswersFollowTheLineOfPosesOverCodes) {
 }
 
 TEST_F(CodeTracker, WhatIsVeryNearToARowIsNotUnlikeAHand) {
-  ColorImage color(testing::kSide, testing::kSide);
-  std::ranges::transform(picture_.gray, color.begin(), [](std::uint8_t gray) {
-    return Bgr{gray, gray, gray};
-  });
   const auto unlikeness = [&] {
-    return unlikeness_to(*database_, *search_, Handedness::kRight, describer_)(color,
+    return unlikeness_to(*database_, *search_, Handedness::kRight, describer_)(picture_.gray,
                                                                                picture_.mask);
   };
   write({1}, 7);  // in 64 bytes

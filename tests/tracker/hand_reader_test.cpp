@@ -165,25 +165,21 @@ TEST_F(Reader, OfTwoFindersTheOneIsRightWhoseHandIsNearerToARow) {
   const FoundHand net = find_hand(frame.color, {}, options.finder),
                   color = find_by_color(frame.color);
   const HandUnlikeness unlikeness = unlikeness_to(*database_, *search_, Handedness::kRight);
-  const double limit = unlikeness(frame.color, net.hand);
-  EXPECT_LT(unlikeness(frame.color, color.hand), 0.8 * limit);
+  const double limit = unlikeness(to_gray(frame.color), net.hand);
+  EXPECT_LT(unlikeness(to_gray(frame.color), color.hand), 0.8 * limit);
   EXPECT_EQ(reader(options).read(frame.color, kFrameCamera).hand, color.hand);
-  options.finder.unlikeness = [](const ColorImage&, const Mask&) { return 0; };
+  options.finder.unlikeness = [](const GrayImage&, const Mask&) { return 0; };
   EXPECT_EQ(reader(options).read(frame.color, kFrameCamera).hand, net.hand);
 }
 
 TEST_F(Reader, UnlikenessIsTheDistanceOfTheNearestRowOfEitherHand) {
   const testing::BarPicture seen = testing::bar(radians(20), 30);
-  ColorImage color(testing::kSide, testing::kSide);
-  std::ranges::transform(seen.gray, color.begin(), [](std::uint8_t gray) {
-    return Bgr{gray, gray, gray};
-  });
   const auto distance = [&](const GrayImage& gray, const Mask& mask) {
     const Descriptor hog = describe(gray, mask, HogMode::kPaper);
     return std::sqrt(static_cast<double>(search_->nearest(hog, 1).front().squared_distance)) / 255;
   };
   const auto unlikeness = [&](Handedness handedness) {
-    return unlikeness_to(*database_, *search_, handedness)(color, seen.mask);
+    return unlikeness_to(*database_, *search_, handedness)(seen.gray, seen.mask);
   };
   const double right = distance(seen.gray, seen.mask),
                left = distance(mirrored(seen.gray), mirrored(seen.mask));

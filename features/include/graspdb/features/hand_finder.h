@@ -58,7 +58,7 @@ class HandFinder {
 };
 
 // How unlike any hand what a mask shows in a frame is; 0: not at all. The mask is not empty.
-using HandUnlikeness = std::function<double(const ColorImage& frame, const Mask& hand)>;
+using HandUnlikeness = std::function<double(const GrayImage& frame, const Mask& hand)>;
 
 // How the hand is found in a frame.
 struct FinderOptions {
