@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "graspdb/core/error.h"
 #include "graspdb/core/rounded_up.h"
@@ -15,6 +16,11 @@ namespace {
 constexpr std::size_t kHead = 64;         // numbers of a code that are compared first
 constexpr std::size_t kBatchBlocks = 32;  // blocks scanned at once: they stay in a cache
 constexpr std::size_t kBatchRows = kBatchBlocks * kCodeBlock;
+
+// A bound for all rows is guessed from one block of so many, such that about this many times the
+// wanted rows are nearer: less often finds too few, more costs time.
+constexpr std::size_t kSampled = 32, kLeeway = 2;
+constexpr std::size_t kFewest = 4;  // rows of the sample that a guess relies on
 
 std::int32_t squared_length(std::span<const std::int8_t> code) {
   return std::inner_product(code.begin(), code.end(), code.begin(), std::int32_t{0});
@@ -67,18 +73,43 @@ void CodeTable::store(std::size_t row, std::span<const std::int8_t> code) {
 
 std::vector<std::vector<Neighbor>> CodeTable::nearest(
     const std::vector<std::vector<std::int8_t>>& queries, std::size_t count) const {
+  const std::size_t wanted = std::min(count, rows_);
   std::vector<Search> searches;
   for (const std::span<const std::int8_t> code : queries) {
     GRASPDB_CHECK(code.size() == dimensions_);
-    searches.push_back({Query(code.first(head_dimensions_)), Query(code.subspan(head_dimensions_)),
-                        TopK(std::min(count, rows_))});
+    Search search{Query(code.first(head_dimensions_)), Query(code.subspan(head_dimensions_)),
+                  TopK(wanted)};
+    search.best = TopK(wanted, likely_bound(search, wanted));
+    searches.push_back(std::move(search));
   }
+  scan(searches);
+  std::vector<std::vector<Neighbor>> found;
+  for (Search& search : searches) {
+    if (!search.best.is_full()) {
+      search.best = TopK(wanted);
+      scan(std::span(&search, 1));
+    }
+    found.push_back(search.best.take());
+  }
+  return found;
+}
+
+// Most rows are then refused from the first one on.
+std::uint32_t CodeTable::likely_bound(const Search& search, std::size_t wanted) const {
+  TopK nearest(wanted * kLeeway / kSampled + kFewest);
+  std::array<std::int32_t, kCodeBlock> squared;
+  std::array<bool, 1> near;
+  for (std::size_t start = 0; start < rows_; start += kSampled * kCodeBlock) {
+    head_.distances(search.head, start, bound_of(nearest), squared, near);
+    if (near.front()) offer_block(search.tail, start, squared, nearest);
+  }
+  return nearest.is_full() ? nearest.take().back().squared_distance + 1 : TopK::kNoBound;
+}
+
+void CodeTable::scan(std::span<Search> searches) const {
   for (std::size_t start = 0; start < rows_; start += kBatchRows) {
     for (Search& search : searches) scan_batch(start, search);
   }
-  std::vector<std::vector<Neighbor>> found;
-  for (Search& search : searches) found.push_back(search.best.take());
-  return found;
 }
 
 void CodeTable::scan_batch(std::size_t start, Search& search) const {

@@ -24,7 +24,7 @@ class CodeTable {
   void store(std::size_t row, std::span<const std::int8_t> code);
 
   // The `count` nearest codes of each query, nearest first, ties by row; the distances are those of
-  // the codes. The table is read once.
+  // the codes. The table is read once, hardly ever twice.
   std::vector<std::vector<Neighbor>> nearest(const std::vector<std::vector<std::int8_t>>& queries,
                                              std::size_t count) const;
 
@@ -54,6 +54,9 @@ class CodeTable {
     std::vector<std::int32_t> row_terms;
   };
 
+  // Some rows more than `wanted` are most probably nearer than this.
+  std::uint32_t likely_bound(const Search& search, std::size_t wanted) const;
+  void scan(std::span<Search> searches) const;
   void scan_batch(std::size_t start, Search& search) const;
   void offer_block(const Query& tail, std::size_t start, std::span<const std::int32_t> squared,
                    TopK& best) const;

@@ -15,9 +15,12 @@ namespace graspdb {
 // costs a comparison for most rows.
 class TopK {
  public:
-  explicit TopK(std::size_t k) : k_(k) {
+  static constexpr std::uint32_t kNoBound = std::numeric_limits<std::uint32_t>::max();
+
+  // Rows that are no nearer than `bound` are not kept.
+  explicit TopK(std::size_t k, std::uint32_t bound = kNoBound)
+      : k_(k), bound_(k == 0 ? 0 : std::uint64_t{bound} << 32) {
     keys_.reserve(2 * k);
-    if (k == 0) bound_ = 0;
   }
 
   void offer(std::uint32_t row, std::uint32_t squared_distance) {
@@ -29,6 +32,8 @@ class TopK {
 
   // No row further than this is kept.
   std::uint32_t bound() const { return static_cast<std::uint32_t>(bound_ >> 32); }
+
+  bool is_full() const { return keys_.size() >= k_; }
 
   // Nearest first.
   std::vector<Neighbor> take() {
@@ -51,7 +56,7 @@ class TopK {
   }
 
   std::size_t k_;
-  std::uint64_t bound_ = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t bound_;
   std::vector<std::uint64_t> keys_;
 };
 

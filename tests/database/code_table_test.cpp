@@ -56,20 +56,42 @@ std::vector<Code> codes_around(const Code& to, std::size_t rows, RandomStream& r
   return codes;
 }
 
+CodeTable table_of(const std::vector<Code>& codes, std::size_t dimensions) {
+  CodeTable table(codes.size(), dimensions);
+  for (std::size_t row = 0; row < codes.size(); ++row) table.store(row, codes[row]);
+  return table;
+}
+
 TEST(CodeTable, FindsTheNearestOfAPlainLoop) {
   RandomStream random(0);
   for (const std::size_t dimensions : {1, 5, 7, 63, 64, 65, 66, 128, 510}) {
     for (const std::size_t rows : {0, 1, 511, 512, 513, 2000}) {
       const Code query = random_code(dimensions, random);
       const std::vector<Code> codes = codes_around(query, rows, random);
-      CodeTable table(rows, dimensions);
-      for (std::size_t row = 0; row < rows; ++row) table.store(row, codes[row]);
+      const CodeTable table = table_of(codes, dimensions);
       const Code other = random_code(dimensions, random);
       const auto found = table.nearest({query, other}, 20);
       ASSERT_EQ(found.size(), 2u);
       EXPECT_EQ(found[0], by_a_plain_loop(codes, query, 20)) << dimensions << ' ' << rows;
       EXPECT_EQ(found[1], by_a_plain_loop(codes, other, 20)) << dimensions << ' ' << rows;
     }
+  }
+}
+
+// How near the wanted rows are is guessed from every 32nd stretch of 16.
+TEST(CodeTable, FindsTheNearestWhereNearRowsAreCommonerOrRarerInTheSample) {
+  constexpr std::size_t kDimensions = 32;
+  for (const bool commoner : {true, false}) {
+    RandomStream random(1);
+    const Code query = random_code(kDimensions, random);
+    std::vector<Code> codes;
+    for (std::size_t row = 0; row < 4000; ++row) {
+      codes.push_back(random_code(kDimensions, random));
+      const bool sampled = row / 16 % 32 == 0;
+      if (sampled == commoner) std::copy_n(query.begin(), kDimensions / 2, codes.back().begin());
+    }
+    const CodeTable table = table_of(codes, kDimensions);
+    EXPECT_EQ(table.nearest({query}, 400).front(), by_a_plain_loop(codes, query, 400)) << commoner;
   }
 }
 
